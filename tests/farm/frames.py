@@ -66,7 +66,7 @@ def ninja_of(tasks, folder):
         skip("there is no ninja")
     file = folder / "build.ninja"
     file.write_text(run(["sh", str(FARM / "ninja.sh"), str(tasks)]))
-    return [["ninja", "-f", str(file), f"task{i + 1}"] for i in range(TASKS)]
+    return [["ninja", "-f", str(file), name] for name in (*(f"task{i + 1}" for i in range(TASKS)), "index")]
 
 
 def openjd_of(tasks, _):
@@ -178,6 +178,21 @@ def spoilt(folder, how):
     return copy
 
 
+def faults_of_ninja_after_a_failure(folder, sweep):
+    """A variant that cannot be made fails the merge, which still writes the index."""
+    first = sorted(sweep.glob("*_frame=*"))[0]
+    shutil.rmtree(first)
+    first.write_text("in the way")
+    (sweep / "index.jsonl").unlink()
+    done = subprocess.run(["ninja", "-f", str(folder / "build.ninja")], stdout=subprocess.PIPE, text=True)
+    faults = [] if done.returncode else ["ninja does not tell of a variant that failed"]
+    if "FAILED: index" not in done.stdout:
+        faults.append("what failed was not the merge")
+    if not (sweep / "index.jsonl").exists():
+        faults.append("a variant that fails keeps the index from being written")
+    return faults
+
+
 def main():
     program, work, engine = os.path.abspath(sys.argv[1]), Path(sys.argv[2]).resolve(), sys.argv[3]
     folder = work / f"frames_{engine}"
@@ -198,12 +213,14 @@ def main():
         once = sorted(name for names in made for name in names)
         assert all(made[:TASKS]), f"the tasks made {made}"
         assert len(once) == FRAMES and len(set(once)) == FRAMES, f"not each frame was made once: {made}"
-        if engine != "openjd":  # which has a step that merges
+        if engine not in ("ninja", "openjd"):  # which merge themselves
             run([*arguments, "--merge", "-q"])
     faults = faults_of(sweep, home)
     for how in ("exchanged", "zeros", "missing", "twice"):
         if not faults_of(spoilt(sweep, how), home):
             faults.append(f"frames that are {how} pass")
+    if engine == "ninja":
+        faults += faults_of_ninja_after_a_failure(folder, sweep)
     if faults:
         print("\n".join(faults))
         sys.exit(1)
