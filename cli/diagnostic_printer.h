@@ -2,7 +2,6 @@
 // are pure.
 #pragma once
 
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>

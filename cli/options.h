@@ -10,7 +10,6 @@
 #include <string_view>
 #include <vector>
 
-#include "bakers/workspace/bake_folder.h"
 #include "cli/command.h"
 #include "config/recipe/recipe.h"
 

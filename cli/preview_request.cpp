@@ -19,6 +19,7 @@
 #include "cli/options.h"
 #include "cli/volume_recipe.h"
 #include "config/text/key_path.h"
+#include "config/text/text.h"
 #include "config/text/units.h"
 
 namespace skybake::cli {
@@ -54,19 +55,24 @@ Diagnostic not_valid(std::string_view option, std::string_view text, std::string
         std::move(label));
 }
 
-// Returns the pieces between commas, including empty ones.
-std::vector<std::string_view> pieces_of(std::string_view list) {
-    std::vector<std::string_view> pieces;
-    for (std::size_t at = 0; at <= list.size();) {
-        const std::size_t comma = std::min(list.find(',', at), list.size());
-        pieces.push_back(list.substr(at, comma - at));
-        at = comma + 1;
-    }
-    return pieces;
+// Returns the value of an option, or E0001 if its text has none.
+template <class T>
+Outcome<T> valid(const std::optional<T>& value, std::string_view option, std::string_view text,
+                 std::string_view what, std::string label) {
+    if (value) return {value, {}};
+    return {{}, {not_valid(option, text, what, std::move(label))}};
+}
+
+Outcome<int> read_count(std::string_view text, int least, int most, std::string_view option,
+                        std::string_view what) {
+    std::optional<int> count;
+    if (const auto found = parse_count(text, least, most)) count = static_cast<int>(*found);
+    return valid(count, option, text, what,
+                 fmt::format("expected a number from {} to {}", least, most));
 }
 
 std::optional<std::array<double, 3>> position_of(std::string_view text) {
-    const auto pieces = pieces_of(text);
+    const auto pieces = config::pieces_between_commas(text);
     if (pieces.size() != 3) return std::nullopt;
     std::array<double, 3> position{};
     for (std::size_t a = 0; a < 3; ++a) {
@@ -185,7 +191,7 @@ namespace options {
 // Reads a value that may hold several elevations, separated by commas.
 Outcome<std::vector<double>> read_elevations(const std::string& list) {
     Outcome<std::vector<double>> outcome{std::vector<double>(), {}};
-    for (const std::string_view text : pieces_of(list)) {
+    for (const std::string_view text : config::pieces_between_commas(list)) {
         if (const auto elevation = degrees_of(text, -90, 90)) {
             outcome.value->push_back(*elevation);
         } else {
@@ -198,27 +204,23 @@ Outcome<std::vector<double>> read_elevations(const std::string& list) {
 }
 
 Outcome<double> read_azimuth(const std::string& text) {
-    if (const auto azimuth = degrees_of(text, -360, 360)) return {*azimuth, {}};
-    return {{},
-            {not_valid("--sun-azimuth", text, "sun azimuth",
-                       "expected degrees from -360 to 360, such as 150")}};
+    return valid(degrees_of(text, -360, 360), "--sun-azimuth", text, "sun azimuth",
+                 "expected degrees from -360 to 360, such as 150");
 }
 
 Outcome<double> read_exposure(const std::string& text) {
-    const auto stops = value_of(text, Dimension::number);
+    auto stops = value_of(text, Dimension::number);
     constexpr double most_stops = 32;  // beyond this, every pixel is black or white
-    if (stops && *stops >= -most_stops && *stops <= most_stops) return {*stops, {}};
-    return {{},
-            {not_valid("--exposure", text, "exposure",
-                       "expected stops from -32 to 32, such as 4 or -1.5")}};
+    if (stops && !(*stops >= -most_stops && *stops <= most_stops)) stops.reset();
+    return valid(stops, "--exposure", text, "exposure",
+                 "expected stops from -32 to 32, such as 4 or -1.5");
 }
 
 Outcome<double> read_altitude(const std::string& text) {
-    const auto meters = value_of(text, Dimension::length);
-    if (meters && *meters >= 0) return {*meters, {}};
-    return {{},
-            {not_valid("--altitude", text, "altitude",
-                       "expected a length of at least 0, such as 2km")}};
+    auto meters = value_of(text, Dimension::length);
+    if (meters && !(*meters >= 0)) meters.reset();
+    return valid(meters, "--altitude", text, "altitude",
+                 "expected a length of at least 0, such as 2km");
 }
 
 Outcome<CameraRequest> read_camera(const std::string& text) {
@@ -248,51 +250,36 @@ Outcome<std::array<int, 2>> read_size(const std::string& text) {
     const std::size_t by = std::min(view.find('x'), view.size());
     const auto width = parse_count(view.substr(0, by), least, most);
     const auto height = parse_count(view.substr(std::min(by + 1, view.size())), least, most);
-    if (width && height) {
-        return {std::array{static_cast<int>(*width), static_cast<int>(*height)}, {}};
-    }
-    return {
-        {},
-        {not_valid("--size", text, "size",
-                   fmt::format("expected pixels from {} to {}, such as 1920x1080", least, most))}};
+    std::optional<std::array<int, 2>> size;
+    if (width && height) size = {static_cast<int>(*width), static_cast<int>(*height)};
+    return valid(size, "--size", text, "size",
+                 fmt::format("expected pixels from {} to {}, such as 1920x1080", least, most));
 }
 
 Outcome<int> read_draft(const std::string& text) {
-    constexpr int least = 16;
-    constexpr int most = 1024;
-    if (const auto edge = parse_count(text, least, most)) return {static_cast<int>(*edge), {}};
-    return {{},
-            {not_valid("--draft", text, "number of voxels",
-                       fmt::format("expected a number from {} to {}", least, most))}};
+    return read_count(text, 16, 1024, "--draft", "number of voxels");
 }
 
 Outcome<config::Moment> read_time(const std::string& text) {
-    if (const auto moment = config::parse_moment(text)) return {*moment, {}};
-    return {{},
-            {not_valid("--at", text, "date and time",
-                       fmt::format("expected {}", config::moment_words))}};
+    return valid(config::parse_moment(text), "--at", text, "date and time",
+                 fmt::format("expected {}", config::moment_words));
 }
 
 Outcome<EarthPlace> read_place(const std::string& text) {
-    const auto pieces = pieces_of(text);
+    const auto pieces = config::pieces_between_commas(text);
+    std::optional<EarthPlace> place;
     if (pieces.size() == 2) {
         const auto latitude = degrees_of(pieces[0], -90, 90);
         const auto longitude = degrees_of(pieces[1], -180, 180);
-        if (latitude && longitude) return {EarthPlace{*latitude, *longitude}, {}};
+        if (latitude && longitude) place = {*latitude, *longitude};
     }
-    return {{},
-            {not_valid("--place", text, "place",
-                       "expected degrees of latitude and longitude, positive in the north and in "
-                       "the east, such as 47.4,8.5")}};
+    return valid(place, "--place", text, "place",
+                 "expected degrees of latitude and longitude, positive in the north and in the "
+                 "east, such as 47.4,8.5");
 }
 
 Outcome<int> read_turntable(const std::string& text) {
-    constexpr int least = 2;
-    constexpr int most = 360;
-    if (const auto count = parse_count(text, least, most)) return {static_cast<int>(*count), {}};
-    return {{},
-            {not_valid("--turntable", text, "number of pictures",
-                       fmt::format("expected a number from {} to {}", least, most))}};
+    return read_count(text, 2, 360, "--turntable", "number of pictures");
 }
 
 }  // namespace options

@@ -1,5 +1,5 @@
-// This header declares the options of a sweep, what a sweep tells, and the scripts that run it on
-// farms.
+// This header declares the options of a sweep, what a sweep tells, and the tasks into which farms
+// divide it.
 #pragma once
 
 #include <chrono>
@@ -18,8 +18,6 @@
 
 namespace skybake::cli {
 
-enum class ScriptEngine { slurm, commands, ninja, openjd, kubernetes };
-
 namespace options {
 
 Outcome<int> read_tasks(const std::string& text);
@@ -30,15 +28,7 @@ inline const Option<Texts> zip{"zip", 0, "KEY,KEY"};
 inline const Option<std::string> sobol{"sobol", 0, "N"};
 inline const Option<std::pair<int, int>> shard{"shard", 0, "I/N", {}, read_shard};  // I, N
 inline const Option<bool> merge{"merge"};
-inline const Option<ScriptEngine> emit{"emit",
-                                       0,
-                                       "ENGINE",
-                                       {{"slurm", ScriptEngine::slurm},
-                                        {"commands", ScriptEngine::commands},
-                                        {"ninja", ScriptEngine::ninja},
-                                        {"openjd", ScriptEngine::openjd},
-                                        {"kubernetes", ScriptEngine::kubernetes}}};
-inline const Option<std::string> image{"image", 0, "IMAGE"};
+inline const Option<bool> emit{"emit", 0, "WHAT", {{"commands", true}}};
 inline const Option<int> tasks{"tasks", 0, "N", {}, read_tasks};
 
 }  // namespace options
@@ -101,57 +91,15 @@ std::string swept_event(const std::vector<VariantResult>& results, int made, dou
 // Returns E0406, such as "2 of 12 variants failed", or nothing if all are done.
 [[nodiscard]] std::vector<Diagnostic> unfinished(const std::vector<VariantResult>& results);
 
-// --- Scripts for farms --------------------------------------------------------------------------
-
-// A script hands a sweep to an engine that a farm already has. Its tasks are shards of the sweep. A
-// task may safely be run again, for example after a node has died.
-struct SweepScript {
-    std::vector<std::string> words;  // of the command without --shard and --merge
-    std::string folder;              // of the sweep
-    int variants = 0;
-    int tasks = 0;
-    int threads = 1;  // threads per task
-    // Only kubernetes_job needs these two: the container image, and the folders that tasks read or
-    // write.
-    std::string image;
-    std::vector<std::filesystem::path> mounts;
-    // Only ninja_file needs these two: the files that the variants are made from, and the names of
-    // all variants' folders.
-    std::vector<std::filesystem::path> inputs;
-    std::vector<std::string> names;
-};
+// --- Tasks for farms ----------------------------------------------------------------------------
 
 // Quotes a word so that a POSIX shell reads it back unchanged.
 std::string shell_word(std::string_view text);
 
-// These return the shell command of one task, and of the merge that ends the sweep.
-std::string task_command(const SweepScript& script, std::string_view task);
-std::string merge_command(const SweepScript& script);
-
-// Returns one task per line, without the merge. The lines are shell commands, quoted so that `sh`,
-// GNU parallel and `xargs -d '\n' -I{} sh -c '{}'` run them from any folder.
-std::string command_lines(const SweepScript& script);
-
-// Returns a shell script that submits an array job and, after it, the merge. The arguments of the
-// script go to sbatch.
-std::string slurm_script(const SweepScript& script);
-
-// Returns a build.ninja that makes a stamp in each variant's folder, and the index files. A task
-// with variants that fail leaves their stamps unchanged, so that it is run again. It lets the merge
-// run, and the merge fails in its place.
-std::string ninja_file(const SweepScript& script);
-
-// Returns a job template of Open Job Description, version 2023-09: a step with a task for each shard,
-// and a step that merges.
-std::string openjd_template(const SweepScript& script);
-
-// Returns an Indexed Job of Kubernetes 1.24 or later, without the merge. Its containers run the
-// program of the image, and find the folders of the recipe, of the sweep and of the cache under the
-// same paths in the volume that the claim `skybake` names.
-std::string kubernetes_job(const SweepScript& script);
-
-// Prints the script that --emit asks for. Reports E0001 for --tasks, for --image where no container
-// runs and for values that the script cannot hold.
-ExitCode emit_script(const Invocation& invocation, const SweepJob& job, Console& console);
+// Prints what --emit asks for: one task per line, without the merge. A task is a shard of the sweep,
+// and may safely be run again, for example after a node has died. The lines are shell commands,
+// quoted so that `sh`, GNU parallel and `xargs -d '\n' -I{} sh -c '{}'` run them from any folder; the
+// programs of examples/farm/ hand them to engines. Reports E0001 for values that no line can hold.
+ExitCode emit_tasks(const Invocation& invocation, const SweepJob& job, Console& console);
 
 }  // namespace skybake::cli

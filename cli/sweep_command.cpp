@@ -92,9 +92,6 @@ std::vector<Diagnostic> contradictions(const Invocation& invocation) {
     if (invocation.has(options::shard)) given.emplace_back("--shard");
     if (invocation.has(options::merge)) given.emplace_back("--merge");
     if (invocation.has(options::emit)) given.emplace_back("--emit");
-    if (invocation.has(options::image) && !invocation.has(options::emit)) {
-        return {usage_error("--image works only with --emit kubernetes")};
-    }
     if (given.size() < 2) return {};
     return {usage_error(fmt::format("{} and {} exclude each other", given[0], given[1]))};
 }
@@ -263,7 +260,7 @@ ExitCode run_sweep(const Invocation& invocation, Console& console) {
     const auto cache = cache_folder(invocation);
     if (!cache.value) return console.report(cache.diagnostics);
     job.cache = *cache.value;
-    if (invocation.has(options::emit)) return emit_script(invocation, job, console);
+    if (invocation.has(options::emit)) return emit_tasks(invocation, job, console);
     const auto url = cache_url(invocation);
     if (!url.value) return console.report(url.diagnostics);
     std::optional<HttpCache> server;
@@ -288,10 +285,9 @@ Command sweep_command() {
                     options::sobol("spread N points over ranges without a count"), set_row(),
                     options::shard("bake part I of N and leave out the index"),
                     options::merge("write the index of baked variants without baking"),
-                    options::emit("print a script for a farm"),
-                    options::image("run the tasks of --emit kubernetes in this container image"),
+                    options::emit("print the commands of a farm's tasks, one per line"),
                     options::tasks(
-                        "split the script into N tasks (default: one per variant, up to 1000)"),
+                        "split the sweep into N tasks (default: one per variant, up to 1000)"),
                     certify_row(),
                     options::jobs("use N threads, for variants side by side first (default: all)"),
                     options::dry_run("show which variants would be baked and why, without baking"),
@@ -302,8 +298,8 @@ Command sweep_command() {
                       "clouds.cumulus.convection.seed=1,2",
                       "bakes 8 variants"},
                      {"skybake sweep sky.toml --shard 1/2", "bakes half of the variants"},
-                     {"skybake sweep sky.toml --emit slurm > sweep.sh",
-                      "writes a script; bash sweep.sh submits it"}},
+                     {"skybake sweep sky.toml --emit commands | parallel",
+                      "bakes variants side by side, by another program"}},
         .exit_codes = {ExitCode::io, ExitCode::checks},
         .run = run_sweep};
 }

@@ -32,14 +32,6 @@ std::string folder_of(const SweepJob& job, const VariantResult& variant) {
     return (job.folder / variant.name).string();
 }
 
-std::string first_error(const VariantResult& variant) {
-    for (const Diagnostic& diagnostic : variant.diagnostics) {
-        if (diagnostic.severity != Severity::error) continue;
-        return fmt::format("{}: {}", diagnostic.code, diagnostic.message);
-    }
-    return "";
-}
-
 // Says why a variant is to be baked, asset by asset.
 std::string reasons_text(const PlannedVariant& variant) {
     if (variant.result.status == VariantStatus::done) return "up to date";

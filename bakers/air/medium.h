@@ -3,7 +3,6 @@
 // functions.
 #pragma once
 
-#include <array>
 #include <string>
 #include <vector>
 

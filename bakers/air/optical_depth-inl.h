@@ -29,8 +29,7 @@
 #include "bakers/math/transcendental-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace skybake {
-namespace HWY_NAMESPACE {
+namespace skybake::HWY_NAMESPACE {
 
 // The lower end of a climb.
 template <class Real>
@@ -287,8 +286,7 @@ HWY_INLINE void optical_depth_to_top(const Medium& medium, Real altitude_km, Rea
     add_climb(medium, ClimbStart<Real>{altitude_km, r, absolute(s_km)}, gain, tau);
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace skybake
+}  // namespace skybake::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif  // SKYBAKE_BAKERS_ATMOSPHERE_OPTICAL_DEPTH_INL_H_

@@ -10,8 +10,7 @@
 #include "bakers/air/optical_depth-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace skybake {
-namespace HWY_NAMESPACE {
+namespace skybake::HWY_NAMESPACE {
 
 // Stores what one vector of rays has, in the columns from `first` to at most `count`.
 HWY_INLINE void store_depths(const Lanes* tau, int channels, int count, int first,
@@ -95,8 +94,7 @@ void OpticalDepthsAlong(const Medium& medium, const double* altitudes_km, const 
     }
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace skybake
+}  // namespace skybake::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE

@@ -16,8 +16,7 @@
 #include "bakers/math/transcendental.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace skybake {
-namespace HWY_NAMESPACE {
+namespace skybake::HWY_NAMESPACE {
 
 // Reads the channels at columns[i] into values[c * count + i]. The next row is `size` numbers on.
 void ReadColumns(const TransmittanceField::Row& row, int size, int channels, const double* columns,
@@ -40,8 +39,7 @@ void ReadColumns(const TransmittanceField::Row& row, int size, int channels, con
     }
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace skybake
+}  // namespace skybake::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE

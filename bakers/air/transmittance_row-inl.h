@@ -11,8 +11,7 @@
 #include "bakers/math/transcendental-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace skybake {
-namespace HWY_NAMESPACE {
+namespace skybake::HWY_NAMESPACE {
 
 // Reads the channels of a TransmittanceField's row at a column in [0, columns - 1].
 HWY_INLINE void read_row(const double* row, Lanes column, int channels, Lanes* value) {
@@ -108,8 +107,7 @@ HWY_INLINE void sunlight_towards(const SunlightRow& at, Real distance_km, Real* 
     read_row(at.values, column_towards(at, distance_km), at.channels, value);
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace skybake
+}  // namespace skybake::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif  // SKYBAKE_BAKERS_ATMOSPHERE_TRANSMITTANCE_ROW_INL_H_

@@ -27,7 +27,6 @@
 #include <array>
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "bakers/clouds/resampled_volume.h"

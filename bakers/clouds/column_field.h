@@ -5,7 +5,6 @@
 #include <cstddef>
 
 #include "bakers/clouds/cloud_plan.h"
-#include "bakers/field/level.h"
 #include "bakers/math/memory.h"
 
 namespace skybake::cloud {

@@ -1,7 +1,6 @@
 #include "bakers/clouds/resampled_volume.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <utility>
 

@@ -11,8 +11,7 @@
 #include "bakers/clouds/shape_kernel.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace skybake::cloud {
-namespace HWY_NAMESPACE {
+namespace skybake::cloud::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
@@ -115,8 +114,7 @@ void Finish(const CloudPlan& plan, std::size_t count, float* values) {
     }
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace skybake::cloud
+}  // namespace skybake::cloud::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE

@@ -15,8 +15,7 @@
 #include "bakers/math/transcendental.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace skybake::convection {
-namespace HWY_NAMESPACE {
+namespace skybake::convection::HWY_NAMESPACE {
 namespace {
 
 template <int kRadix>
@@ -122,8 +121,7 @@ void Part(const HartleyPair& pair) {
     }
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace skybake::convection
+}  // namespace skybake::convection::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE

@@ -8,8 +8,7 @@
 #include "bakers/math/transcendental.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace skybake::convection {
-namespace HWY_NAMESPACE {
+namespace skybake::convection::HWY_NAMESPACE {
 
 // A level of the elimination of -below p(z - 1) + diagonal p(z) - above p(z + 1) = right hand side.
 void Eliminate(const float* __restrict eigenvalue, float eigenvalue_y, float below, float above,
@@ -42,8 +41,7 @@ void Subtract(const float* __restrict pressure, const float* __restrict before, 
     for (int i = 0; i < count; ++i) velocity[i] = velocity[i] - (pressure[i] - before[i]) * inverse;
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace skybake::convection
+}  // namespace skybake::convection::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE

@@ -9,8 +9,7 @@
 #include "bakers/math/transcendental-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace skybake::convection {
-namespace HWY_NAMESPACE {
+namespace skybake::convection::HWY_NAMESPACE {
 namespace {
 
 constexpr float kHottest = 340;  // K; the exponential wants arguments below 0
@@ -86,8 +85,7 @@ float VirtualHeat(const Level& level) {
     return virtual_heat_of(level.heat, level.water, numbers_of(level));
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace skybake::convection
+}  // namespace skybake::convection::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE

@@ -12,8 +12,7 @@
 #include "bakers/convection/transport.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace skybake::convection {
-namespace HWY_NAMESPACE {
+namespace skybake::convection::HWY_NAMESPACE {
 namespace {
 
 HWY_INLINE float upwind_flux(float wind, float a, float b, float c, float d, float e, float f) {
@@ -92,8 +91,7 @@ void Sum(const FluxRow& row, int count, float* __restrict to) {
     }
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace skybake::convection
+}  // namespace skybake::convection::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE

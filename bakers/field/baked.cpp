@@ -9,15 +9,9 @@
 namespace skybake {
 
 void DenseTexels::fill(const VoxelBox& box, const std::vector<float*>& channels) const {
-    for (std::size_t c = 0; c < channels.size(); ++c) {
-        float* out = channels[c];
-        if (out == nullptr) continue;
-        for (int y = box.origin[1]; y < box.origin[1] + box.size[1]; ++y) {
-            for (int x = box.origin[0]; x < box.origin[0] + box.size[0]; ++x) {
-                *out++ = image_.texel(x, y)[c];
-            }
-        }
-    }
+    fill_rows(box, channels, [&](std::size_t c, int y, int, float* out) {
+        for (int x = 0; x < box.size[0]; ++x) out[x] = image_.texel(box.origin[0] + x, y)[c];
+    });
 }
 
 const Image2<float>& Baked::image() const {

@@ -9,8 +9,7 @@
 #include "bakers/field/bc4.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace skybake {
-namespace HWY_NAMESPACE {
+namespace skybake::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
@@ -426,8 +425,7 @@ void encode_bc4(const TexelPlane& plane, std::uint8_t* out, std::size_t stride) 
     pending.flush();
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace skybake
+}  // namespace skybake::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE

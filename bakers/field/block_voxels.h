@@ -9,9 +9,7 @@
 #include <array>
 #include <cstddef>
 #include <memory>
-#include <optional>
 #include <string>
-#include <vector>
 
 #include "bakers/field/level.h"
 #include "config/sections/pixel_types.h"

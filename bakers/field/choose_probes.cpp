@@ -13,6 +13,7 @@
 #include <set>
 
 #include "bakers/field/pixel_type.h"
+#include "bakers/field/stored_voxels.h"
 #include "bakers/math/parallel.h"
 
 namespace skybake {
@@ -405,6 +406,34 @@ std::optional<Diagnostic> weak_probes(const std::string& asset, const ProbeSet& 
         fmt::format("`{}`: its probes would pass a file that is wrong in one of these ways: {}",
                     asset, fmt::join(set.missed, ", "));
     return diagnostic;
+}
+
+ProbedTexture probed_texture(const Level& level, int dimensions, PixelType type) {
+    ProbedTexture texture;
+    texture.dimensions = dimensions;
+    texture.texture.use = {level.size, level.repeats, level.nearest};
+    texture.texture.channels = level.statistics.size();
+    texture.texture.read = [voxels = StoredVoxels(level, type)](const std::array<VoxelTap, 8>& taps,
+                                                                float* values) {
+        const std::vector<float> found = voxels.at(taps);
+        std::ranges::copy(found, values);
+    };
+    texture.type = type;
+    for (const ValueStatistics& channel : level.statistics) {
+        texture.largest.push_back(std::max(std::fabs(channel.min), std::fabs(channel.max)));
+    }
+    return texture;
+}
+
+std::optional<Diagnostic> set_probes(const std::string& asset, const ProbedTexture& texture,
+                                     const std::vector<ProbeSpace>& spaces, int count,
+                                     const BakeOptions& options, Level& level) {
+    ProbeSet set = take_probes(texture, spaces, count, options);
+    if (const auto problem = weak_probes(asset, set)) return problem;
+    level.probes.clear();
+    for (TakenProbe& taken : set.probes) level.probes.push_back(as_probe(std::move(taken)));
+    level.catches = std::move(set.catches);
+    return std::nullopt;
 }
 
 }  // namespace skybake

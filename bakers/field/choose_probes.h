@@ -82,4 +82,13 @@ ProbeSet take_probes(const ProbedTexture& texture, const std::vector<ProbeSpace>
 // Returns E0407 if the probes miss a wrong lookup.
 [[nodiscard]] std::optional<Diagnostic> weak_probes(const std::string& asset, const ProbeSet& set);
 
+// Returns a level as its file holds it. The level has been surveyed.
+ProbedTexture probed_texture(const Level& level, int dimensions, PixelType type);
+
+// Takes probes for a level, or returns E0407.
+[[nodiscard]] std::optional<Diagnostic> set_probes(const std::string& asset,
+                                                   const ProbedTexture& texture,
+                                                   const std::vector<ProbeSpace>& spaces, int count,
+                                                   const BakeOptions& options, Level& level);
+
 }  // namespace skybake

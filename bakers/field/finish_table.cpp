@@ -113,21 +113,6 @@ ProbeSpace table_space(const TableModel& model, std::array<int, 2> size, PlaceOf
     return space;
 }
 
-ProbedTexture probed_texture(const Image2<float>& image, const Level& level, PixelType type) {
-    ProbedTexture texture;
-    texture.texture = readable_texture(image);
-    texture.texture.use = {level.size, level.repeats, level.nearest};
-    texture.dimensions = 2;
-    texture.type = type;
-    const auto channels = static_cast<std::size_t>(image.channels);
-    texture.largest.assign(channels, 0);
-    for (std::size_t i = 0; i < image.texels.size(); ++i) {
-        double& largest = texture.largest[i % channels];
-        largest = std::max(largest, std::fabs(double{image.texels[i]}));
-    }
-    return texture;
-}
-
 // Moves places into part number `part` of a stack of `parts` tables.
 ProbePlaces below_each_other(ProbePlaces place, int part, int parts) {
     return [place = std::move(place), part, parts](const std::array<double, 3>& wanted) {
@@ -201,13 +186,8 @@ std::vector<std::array<double, 2>> histogram_ranges(const Image2<float>& image) 
 std::optional<Diagnostic> add_probes(const std::vector<ProbeSpace>& spaces,
                                      const BakeOptions& options, const Baked& table, Level& level) {
     const int count = std::max(kTableProbes, kProbesOfPart * static_cast<int>(spaces.size()));
-    const Image2<float>& image = static_cast<const DenseTexels&>(*level.voxels).image();
-    ProbeSet set =
-        take_probes(probed_texture(image, level, table.pixel_type), spaces, count, options);
-    if (const auto problem = weak_probes(table.name, set)) return problem;
-    for (TakenProbe& taken : set.probes) level.probes.push_back(as_probe(std::move(taken)));
-    level.catches = std::move(set.catches);
-    return std::nullopt;
+    return set_probes(table.name, probed_texture(level, 2, table.pixel_type), spaces, count,
+                      options, level);
 }
 
 // Surveys all levels and chooses their probes.

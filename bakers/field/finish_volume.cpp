@@ -110,23 +110,6 @@ using UnitPlace = std::array<double, 3>;  // texture coordinates
 
 constexpr int kVolumeProbes = 24;
 
-ProbedTexture probed_volume(const Level& level, int dimensions, PixelType type) {
-    ProbedTexture texture;
-    texture.dimensions = dimensions;
-    texture.texture.use = {level.size, level.repeats, level.nearest};
-    texture.texture.channels = level.statistics.size();
-    texture.texture.read = [voxels = StoredVoxels(level, type)](const std::array<VoxelTap, 8>& taps,
-                                                                float* values) {
-        const std::vector<float> found = voxels.at(taps);
-        std::ranges::copy(found, values);
-    };
-    texture.type = type;
-    for (const ValueStatistics& channel : level.statistics) {
-        texture.largest.push_back(std::max(std::fabs(channel.min), std::fabs(channel.max)));
-    }
-    return texture;
-}
-
 // Adds places within half a voxel of either end of each axis, where repeating lookups and clamped
 // lookups differ.
 void add_seams(const Level& level, std::vector<UnitPlace>& places) {
@@ -328,13 +311,8 @@ std::optional<Diagnostic> add_volume_probes(const std::string& asset, int dimens
     add_seams(readable, space.wanted);
     add_even_places(space.wanted);
     add_peaks(readable, type, space.wanted);
-    ProbeSet set =
-        take_probes(probed_volume(readable, dimensions, type), {space}, kVolumeProbes, options);
-    if (const auto problem = weak_probes(asset, set)) return problem;
-    level.probes.clear();
-    for (TakenProbe& taken : set.probes) level.probes.push_back(as_probe(std::move(taken)));
-    level.catches = std::move(set.catches);
-    return std::nullopt;
+    return set_probes(asset, probed_texture(readable, dimensions, type), {space}, kVolumeProbes,
+                      options, level);
 }
 
 }  // namespace skybake

@@ -35,6 +35,21 @@ class VoxelSource {
     virtual bool is_empty(const VoxelBox& /*box*/) const { return false; }
 };
 
+// Fills channels as VoxelSource::fill does, row after row: `row(c, y, z, out)` writes the box.size[0] voxels
+// of channel c from box.origin[0] on.
+template <class Row>
+void fill_rows(const VoxelBox& box, const std::vector<float*>& channels, const Row& row) {
+    for (std::size_t c = 0; c < channels.size(); ++c) {
+        float* out = channels[c];
+        if (out == nullptr) continue;
+        for (int z = box.origin[2]; z < box.origin[2] + box.size[2]; ++z) {
+            for (int y = box.origin[1]; y < box.origin[1] + box.size[1]; ++y, out += box.size[0]) {
+                row(c, y, z, out);
+            }
+        }
+    }
+}
+
 // A table's texels as stored, already rounded to the pixel type. Row y of the image is row y of the
 // only slice.
 class DenseTexels : public VoxelSource {

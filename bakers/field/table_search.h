@@ -1,7 +1,6 @@
 // Searches the errors of a table's lookups (error_search.h).
 #pragma once
 
-#include "bakers/field/certify.h"
 #include "bakers/field/error_search.h"
 #include "bakers/field/table_model.h"
 

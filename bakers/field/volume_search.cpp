@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bakers/field/stored_voxels.h"
+#include "bakers/field/voxel_array.h"
 
 namespace skybake {
 namespace {
@@ -37,13 +38,13 @@ class VoxelBends {
   public:
     VoxelBends(const Level& level, const SearchGrid& grid, const VolumeComparison& comparison,
                const BakeOptions& options)
-        : level_(level), grid_(grid), comparison_(comparison) {
-        const auto count = static_cast<std::size_t>(VoxelBox{{}, level.size}.count());
+        : level_(level),
+          grid_(grid),
+          comparison_(comparison),
+          values_(level.size, level.statistics.size()) {
         std::vector<float*> targets;
-        values_.resize(level.statistics.size());
-        for (std::vector<float>& channel : values_) {
-            channel.resize(count);
-            targets.push_back(channel.data());
+        for (std::size_t c = 0; c < values_.channels(); ++c) {
+            targets.push_back(values_.channel(c).data());
         }
         if (!options.cancelled()) level.voxels->fill({{}, level.size}, targets);
     }
@@ -57,7 +58,8 @@ class VoxelBends {
         }
         std::vector<double> exact;
         std::vector<double> found;
-        for (const std::vector<float>& channel : values_) {
+        for (std::size_t c = 0; c < values_.channels(); ++c) {
+            const std::vector<float>& channel = values_.channel(c);
             double off = 0;
             for (std::size_t a = 0; a < 3; ++a) {
                 off += std::max(bend(channel, voxel, a, 0), bend(channel, voxel, a, 1));
@@ -74,10 +76,7 @@ class VoxelBends {
 
   private:
     std::size_t offset(const std::array<int, 3>& voxel) const {
-        return (static_cast<std::size_t>(voxel[2]) * static_cast<std::size_t>(level_.size[1]) +
-                static_cast<std::size_t>(voxel[1])) *
-                   static_cast<std::size_t>(level_.size[0]) +
-               static_cast<std::size_t>(voxel[0]);
+        return values_.offset(voxel[0], voxel[1], voxel[2]);
     }
 
     // The second difference at the voxel, or at the next one along the axis.
@@ -96,7 +95,7 @@ class VoxelBends {
     const Level& level_;
     const SearchGrid& grid_;
     const VolumeComparison& comparison_;
-    std::vector<std::vector<float>> values_;
+    VoxelArray values_;
 };
 
 }  // namespace

@@ -18,16 +18,9 @@ std::size_t VoxelArray::offset(int x, int y, int z) const {
 }
 
 void VoxelArray::fill(const VoxelBox& box, const std::vector<float*>& channels) const {
-    for (std::size_t c = 0; c < channels.size(); ++c) {
-        float* target = channels[c];
-        if (target == nullptr) continue;
-        for (int z = box.origin[2]; z < box.origin[2] + box.size[2]; ++z) {
-            for (int y = box.origin[1]; y < box.origin[1] + box.size[1]; ++y) {
-                target = std::copy_n(values_[c].data() + offset(box.origin[0], y, z), box.size[0],
-                                     target);
-            }
-        }
-    }
+    fill_rows(box, channels, [&](std::size_t c, int y, int z, float* out) {
+        std::copy_n(values_[c].data() + offset(box.origin[0], y, z), box.size[0], out);
+    });
 }
 
 double VoxelArray::largest(std::size_t channel) const {

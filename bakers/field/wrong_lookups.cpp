@@ -119,16 +119,4 @@ std::vector<double> look_up_wrongly(const ReadableTexture& texture,
     return sum;
 }
 
-ReadableTexture readable_texture(const Image2<float>& image) {
-    ReadableTexture texture;
-    texture.use.size = {image.width, image.height, 1};
-    texture.channels = static_cast<std::size_t>(image.channels);
-    texture.read = [&image](const std::array<VoxelTap, 8>& taps, float* values) {
-        for (const VoxelTap& tap : taps) {
-            values = std::copy_n(image.texel(tap.voxel[0], tap.voxel[1]), image.channels, values);
-        }
-    };
-    return texture;
-}
-
 }  // namespace skybake

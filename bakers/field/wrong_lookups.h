@@ -11,7 +11,6 @@
 #include <string>
 #include <vector>
 
-#include "bakers/field/image.h"
 #include "bakers/field/interpolation.h"
 
 namespace skybake {
@@ -37,9 +36,6 @@ struct ReadableTexture {
     std::size_t channels = 0;
     TexelReader read;
 };
-
-// Makes an image readable as a texture with clamped axes. The image must outlive the result.
-ReadableTexture readable_texture(const Image2<float>& image);
 
 // Adds the lookup at texture coordinates, times `share`, to `sum`, one value per channel.
 void add_lookup(const ReadableTexture& texture, const TextureUse& use,

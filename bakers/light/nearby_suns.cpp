@@ -10,8 +10,7 @@
 #include "bakers/math/channels-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace skybake {
-namespace HWY_NAMESPACE {
+namespace skybake::HWY_NAMESPACE {
 
 // Computes what the light of one column sends, by azimuthal order: sent[m * kChannelSlots + channel].
 // `factors` multiply the moments up to `degree`, by moment_index.
@@ -88,8 +87,7 @@ void AddColumns(const double* rows, const PlacedSuns& placed, std::size_t count,
     }
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace skybake
+}  // namespace skybake::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE

@@ -5,8 +5,6 @@
 // linearly. Between two distances, extinction is integrated by Simpson's rule.
 #pragma once
 
-#include <vector>
-
 #include "bakers/air/medium.h"
 #include "bakers/field/image.h"
 #include "bakers/math/vectors.h"

@@ -15,8 +15,7 @@
 #include "bakers/march/cloud_path-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace skybake {
-namespace HWY_NAMESPACE {
+namespace skybake::HWY_NAMESPACE {
 
 // Returns 1 / direction. If a coordinate hardly changes, the result is 2^60, which means that the
 // ray never gets anywhere along it; products with 2^60 do not overflow.
@@ -162,8 +161,7 @@ HWY_INLINE FloatMask leap_or_look(const CloudPath& path, const Pace& pace, const
     return count_of(rest) <= kFew && any(empty & (progress.k < end)) ? and_not(rest, rest) : rest;
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace skybake
+}  // namespace skybake::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif  // SKYBAKE_BAKERS_MARCH_CLOUD_LEAP_INL_H_

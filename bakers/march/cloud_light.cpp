@@ -1,7 +1,6 @@
 #include "bakers/march/cloud_light.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "bakers/air/particles/phase_function.h"
 #include "bakers/math/parallel.h"

@@ -30,7 +30,6 @@
 #pragma once
 
 #include <array>
-#include <vector>
 
 #include "bakers/march/cloud_medium.h"
 

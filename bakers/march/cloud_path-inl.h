@@ -17,8 +17,7 @@
 #include "bakers/math/transcendental-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace skybake {
-namespace HWY_NAMESPACE {
+namespace skybake::HWY_NAMESPACE {
 
 // A place on a ray, in voxels. `x` and `y` are within the volume whose copy begins at tile_x, tile_y.
 // If tiles vary, copies begin elsewhere than tiles do, and local_x, local_y are within the tile.
@@ -73,15 +72,13 @@ HWY_INLINE FloatLanes lookup(const PaddedVolume& volume, FloatLanes x, FloatLane
                  mixed(along_x(plane), along_x(plane + row), ty.weight), tz.weight);
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace skybake
+}  // namespace skybake::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #include "bakers/march/tile_variation-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace skybake {
-namespace HWY_NAMESPACE {
+namespace skybake::HWY_NAMESPACE {
 
 // The samples along a ray, as cloud_rays.h spaces them.
 struct CloudSamples {
@@ -184,8 +181,7 @@ HWY_INLINE void step_on(FloatMask sampled, FloatLanes sigma, Progress& progress)
     progress.k = select(sampled, progress.k + FloatLanes(1.0F), progress.k);
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace skybake
+}  // namespace skybake::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif  // SKYBAKE_BAKERS_MARCH_CLOUD_PATH_INL_H_

@@ -21,8 +21,7 @@
 #include "bakers/march/light_in_cloud.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace skybake {
-namespace HWY_NAMESPACE {
+namespace skybake::HWY_NAMESPACE {
 
 // The points where light is looked up. They are collected while rays are marched and evaluated
 // together.
@@ -307,8 +306,7 @@ class PointCollector {
     FloatLanes depth_ = FloatLanes(0.0F);
 };
 
-}  // namespace HWY_NAMESPACE
-}  // namespace skybake
+}  // namespace skybake::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif  // SKYBAKE_BAKERS_MARCH_CLOUD_POINTS_INL_H_

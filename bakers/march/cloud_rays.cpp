@@ -18,8 +18,7 @@
 #include "bakers/march/sun_march-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace skybake {
-namespace HWY_NAMESPACE {
+namespace skybake::HWY_NAMESPACE {
 namespace {
 
 // The march of a packet of rays through one layer.
@@ -216,8 +215,7 @@ void depths_of_all(std::span<const CloudMarch> layers, std::span<const SunlitPoi
     depths = std::move(light.tau);
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace skybake
+}  // namespace skybake::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE

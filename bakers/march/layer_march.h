@@ -5,7 +5,6 @@
 // `step_m` apart. Each ray shifts them by a jitter of its own, and those towards the sun by another.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <glm/geometric.hpp>
 #include <span>

@@ -13,16 +13,13 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <vector>
 
 #include "bakers/march/cloud_leap-inl.h"
 #include "bakers/march/cloud_points-inl.h"
 #include "bakers/march/cloud_rays.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace skybake {
-namespace HWY_NAMESPACE {
+namespace skybake::HWY_NAMESPACE {
 
 // How points become voxels of the layer that is marched: x' = (tile_x + x) * scale + offset.
 struct PointFrame {
@@ -252,8 +249,7 @@ class SunMarches {
     std::size_t next_ = 0;
 };
 
-}  // namespace HWY_NAMESPACE
-}  // namespace skybake
+}  // namespace skybake::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif  // SKYBAKE_BAKERS_MARCH_SUN_MARCH_INL_H_

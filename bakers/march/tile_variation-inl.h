@@ -21,8 +21,7 @@
 #include "bakers/march/cloud_medium.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace skybake {
-namespace HWY_NAMESPACE {
+namespace skybake::HWY_NAMESPACE {
 
 constexpr float kOverlap = 1.6F;
 
@@ -138,8 +137,7 @@ HWY_INLINE FloatLanes varied_lookup(const CloudMedium& medium, const Place& at, 
     return value;
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace skybake
+}  // namespace skybake::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif  // SKYBAKE_BAKERS_MARCH_TILE_VARIATION_INL_H_

@@ -18,8 +18,7 @@
 #include "bakers/math/vectors.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace skybake {
-namespace HWY_NAMESPACE {
+namespace skybake::HWY_NAMESPACE {
 
 struct alignas(16) ChannelFloats {
     std::array<float, kChannelSlots> values{};
@@ -88,8 +87,7 @@ HWY_INLINE FloatLanes load_places(const float* from, const std::int32_t* places,
 
 #endif  // HWY_TARGET == HWY_SCALAR
 
-}  // namespace HWY_NAMESPACE
-}  // namespace skybake
+}  // namespace skybake::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif  // SKYBAKE_BAKERS_MATH_CHANNEL_FLOATS_INL_H_

@@ -19,8 +19,7 @@
 #include "bakers/math/vectors.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace skybake {
-namespace HWY_NAMESPACE {
+namespace skybake::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
@@ -142,8 +141,7 @@ HWY_INLINE Channels shift_bits_left(Channels x) {
     return x;
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace skybake
+}  // namespace skybake::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif  // SKYBAKE_BAKERS_MATH_CHANNELS_INL_H_

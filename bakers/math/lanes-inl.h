@@ -25,8 +25,7 @@
 #include <cstdint>
 
 HWY_BEFORE_NAMESPACE();
-namespace skybake {
-namespace HWY_NAMESPACE {
+namespace skybake::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
@@ -247,8 +246,7 @@ struct LaneAccess<LanesOf<T>> {
     static HWY_INLINE void store(LanesOf<T> x, T* p) { x.store(p); }
 };
 
-}  // namespace HWY_NAMESPACE
-}  // namespace skybake
+}  // namespace skybake::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif  // SKYBAKE_BAKERS_MATH_LANES_INL_H_

@@ -18,8 +18,7 @@
 #include "bakers/math/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace skybake {
-namespace HWY_NAMESPACE {
+namespace skybake::HWY_NAMESPACE {
 
 // ln 2 in two parts. The first has 17 trailing zero bits, so that n * kLn2High is exact for
 // |n| < 2^17.
@@ -206,8 +205,7 @@ HWY_INLINE void sine_and_cosine(Real x, Real& sine, Real& cosine) {
     cosine = select(turns, -second, second);
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace skybake
+}  // namespace skybake::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif  // SKYBAKE_BAKERS_CORE_TRANSCENDENTAL_INL_H_

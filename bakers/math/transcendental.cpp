@@ -10,8 +10,7 @@
 #include "bakers/math/transcendental-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace skybake {
-namespace HWY_NAMESPACE {
+namespace skybake::HWY_NAMESPACE {
 
 void Exponentials(double* values, int count) {
     constexpr int kLanes = LaneAccess<Lanes>::kCount;
@@ -22,8 +21,7 @@ void Exponentials(double* values, int count) {
     for (; i < count; ++i) values[i] = exponential(values[i]);
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace skybake
+}  // namespace skybake::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE

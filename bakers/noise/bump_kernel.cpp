@@ -13,8 +13,7 @@
 #include "bakers/noise/lattice_planes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace skybake::noise {
-namespace HWY_NAMESPACE {
+namespace skybake::noise::HWY_NAMESPACE {
 namespace {
 
 constexpr int kRows = 8;    // of a block
@@ -165,8 +164,7 @@ void fill_blocks(const CellField& field, const VoxelBox& chunk, LatticePlanes& p
     }
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace skybake::noise
+}  // namespace skybake::noise::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE

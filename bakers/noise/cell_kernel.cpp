@@ -12,8 +12,7 @@
 #include "bakers/noise/lattice_planes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace skybake::noise {
-namespace HWY_NAMESPACE {
+namespace skybake::noise::HWY_NAMESPACE {
 namespace {
 
 constexpr std::size_t kLineStride = CellCandidates::kLineStride;
@@ -321,8 +320,7 @@ void fill_field(const CellField& field, const VoxelBox& chunk, LatticePlanes& pl
     }
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace skybake::noise
+}  // namespace skybake::noise::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE

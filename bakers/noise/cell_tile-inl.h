@@ -17,8 +17,7 @@
 #include "bakers/noise/noise_plan.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace skybake::noise {
-namespace HWY_NAMESPACE {
+namespace skybake::noise::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
@@ -163,8 +162,7 @@ class CellTile {
     BitsVector next_[kSecond ? kRows : 1][kSecond ? kDepth : 1];
 };
 
-}  // namespace HWY_NAMESPACE
-}  // namespace skybake::noise
+}  // namespace skybake::noise::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif  // SKYBAKE_BAKERS_NOISE_CELL_TILE_INL_H_

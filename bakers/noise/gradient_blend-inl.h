@@ -13,8 +13,7 @@
 #include "bakers/noise/moving_gradient.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace skybake::noise {
-namespace HWY_NAMESPACE {
+namespace skybake::noise::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
@@ -130,8 +129,7 @@ HWY_INLINE FloatVector blended_gradients(const Row (&rows)[2][2], WordVector nea
                    blend(near.slope, x.distance_0, far.slope, x.distance_1));
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace skybake::noise
+}  // namespace skybake::noise::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif  // SKYBAKE_BAKERS_NOISE_GRADIENT_BLEND_INL_H_

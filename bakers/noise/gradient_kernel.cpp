@@ -13,8 +13,7 @@
 #include "bakers/noise/lattice_planes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace skybake::noise {
-namespace HWY_NAMESPACE {
+namespace skybake::noise::HWY_NAMESPACE {
 namespace {
 
 // The gradients at lattice points.
@@ -268,8 +267,7 @@ void fill_stack(const GradientStack& stack, const VoxelBox& chunk,
     }
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace skybake::noise
+}  // namespace skybake::noise::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE

@@ -12,8 +12,7 @@
 #include "bakers/noise/noise_plan.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace skybake::noise {
-namespace HWY_NAMESPACE {
+namespace skybake::noise::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
@@ -190,8 +189,7 @@ HWY_INLINE CellPointVector cell_point(const RowKeyVector& row, WordVector scaled
     return point[0];
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace skybake::noise
+}  // namespace skybake::noise::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif  // SKYBAKE_BAKERS_NOISE_LATTICE_HASH_INL_H_

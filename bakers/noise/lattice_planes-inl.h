@@ -12,8 +12,7 @@
 #include "bakers/noise/lattice_hash.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace skybake::noise {
-namespace HWY_NAMESPACE {
+namespace skybake::noise::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
@@ -83,8 +82,7 @@ HWY_INLINE std::size_t slot_of_plane(std::int64_t plane, LatticePlanes& planes,
     return slot;
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace skybake::noise
+}  // namespace skybake::noise::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif  // SKYBAKE_BAKERS_NOISE_LATTICE_PLANES_INL_H_

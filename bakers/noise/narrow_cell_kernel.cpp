@@ -14,8 +14,7 @@
 #include "bakers/noise/narrow_cell_kernel.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace skybake::noise {
-namespace HWY_NAMESPACE {
+namespace skybake::noise::HWY_NAMESPACE {
 namespace {
 
 constexpr int kVoxels = static_cast<int>(kLanes);  // of a vector
@@ -291,8 +290,7 @@ void fill_narrow(const CellField& field, const VoxelBox& chunk, LatticePlanes& p
     }
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace skybake::noise
+}  // namespace skybake::noise::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE

@@ -13,8 +13,7 @@
 #include "bakers/noise/pointwise_kernel.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace skybake::noise {
-namespace HWY_NAMESPACE {
+namespace skybake::noise::HWY_NAMESPACE {
 namespace {
 
 // --- Gradient noise -----------------------------------------------------------------------------
@@ -166,8 +165,7 @@ void cells_pointwise(const CellField& field, const VoxelBox& chunk, std::size_t 
     });
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace skybake::noise
+}  // namespace skybake::noise::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE

@@ -12,8 +12,7 @@
 #include "bakers/noise/scattered_kernel.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace skybake::noise {
-namespace HWY_NAMESPACE {
+namespace skybake::noise::HWY_NAMESPACE {
 namespace {
 
 constexpr Integers kIntegers;
@@ -244,8 +243,7 @@ void cells_scattered(const CellField& field, const VoxelBox& chunk, std::size_t 
     fill(field.feature == config::WorleyFeature::f1 ? worley_value<false> : worley_value<true>);
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace skybake::noise
+}  // namespace skybake::noise::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE

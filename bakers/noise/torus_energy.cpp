@@ -12,8 +12,7 @@
 #include "bakers/noise/torus_energy.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace skybake::noise {
-namespace HWY_NAMESPACE {
+namespace skybake::noise::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
@@ -38,8 +37,7 @@ std::array<std::int64_t, 2> add_weights(const std::int64_t* HWY_RESTRICT weights
     return {hn::GetLane(hn::MinOfLanes(d, least)), ~hn::GetLane(hn::MaxOfLanes(d, greatest))};
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace skybake::noise
+}  // namespace skybake::noise::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE

@@ -1,7 +1,6 @@
 // The rows of voxels in and around blocks of cells, read from memory or from a source.
 #pragma once
 
-#include <cstdint>
 #include <functional>
 #include <vector>
 

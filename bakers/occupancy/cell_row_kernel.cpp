@@ -11,8 +11,7 @@
 #include "bakers/occupancy/cell_row_kernel.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace skybake::occupancy {
-namespace HWY_NAMESPACE {
+namespace skybake::occupancy::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
@@ -280,8 +279,7 @@ Magnitudes magnitudes(const float* values, std::size_t count, const float* next_
     return {least == ~0U ? least : least + 1, most};
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace skybake::occupancy
+}  // namespace skybake::occupancy::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE

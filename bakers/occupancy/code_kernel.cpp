@@ -7,8 +7,7 @@
 #include "bakers/occupancy/code_kernel.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace skybake::occupancy {
-namespace HWY_NAMESPACE {
+namespace skybake::occupancy::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
@@ -56,8 +55,7 @@ void fill_codes(const CodeNumbers& numbers, const float* squares, std::size_t co
     for (std::size_t k = i; k < count; ++k) out[k] = last[k - i];
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace skybake::occupancy
+}  // namespace skybake::occupancy::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE

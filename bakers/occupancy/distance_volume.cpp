@@ -99,17 +99,11 @@ float DistanceSource::value(DistanceContent content, std::size_t texel, int z) c
 }
 
 void DistanceSource::fill(const VoxelBox& box, const std::vector<float*>& channels) const {
-    for (std::size_t c = 0; c < channels.size(); ++c) {
-        if (channels[c] == nullptr) continue;
-        float* out = channels[c];
-        for (int z = box.origin[2]; z < box.origin[2] + box.size[2]; ++z) {
-            for (int y = box.origin[1]; y < box.origin[1] + box.size[1]; ++y) {
-                const std::size_t row = index_of(size_, box.origin[0], y, z);
-                const auto width = static_cast<std::size_t>(box.size[0]);
-                for (std::size_t x = 0; x < width; ++x) *out++ = value(contents_[c], row + x, z);
-            }
-        }
-    }
+    fill_rows(box, channels, [&](std::size_t c, int y, int z, float* out) {
+        const std::size_t row = index_of(size_, box.origin[0], y, z);
+        const auto width = static_cast<std::size_t>(box.size[0]);
+        for (std::size_t x = 0; x < width; ++x) out[x] = value(contents_[c], row + x, z);
+    });
 }
 
 }  // namespace skybake::occupancy

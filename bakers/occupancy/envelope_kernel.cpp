@@ -11,8 +11,7 @@
 #include "bakers/occupancy/envelope_kernel.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace skybake::occupancy {
-namespace HWY_NAMESPACE {
+namespace skybake::occupancy::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
@@ -69,8 +68,7 @@ BestCells search(const float* rows, const EnvelopeAxis& axis, int point, int fir
             hn::GetLane(hn::MaxOfLanes(kIndices, most))};
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace skybake::occupancy
+}  // namespace skybake::occupancy::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE

@@ -66,8 +66,7 @@ struct StepRows {
 #endif
 
 HWY_BEFORE_NAMESPACE();
-namespace skybake::occupancy {
-namespace HWY_NAMESPACE {
+namespace skybake::occupancy::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
@@ -138,8 +137,7 @@ void least_of_rows(const std::uint8_t* a, const std::uint8_t* b, const std::uint
     }
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace skybake::occupancy
+}  // namespace skybake::occupancy::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE

@@ -188,18 +188,11 @@ float CellSource::value(OccupancyContent content, std::size_t cell) const {
 }
 
 void CellSource::fill(const VoxelBox& box, const std::vector<float*>& channels) const {
-    for (std::size_t c = 0; c < channels.size(); ++c) {
-        if (channels[c] == nullptr) continue;
-        float* out = channels[c];
-        for (int z = 0; z < box.size[2]; ++z) {
-            for (int y = 0; y < box.size[1]; ++y) {
-                const std::size_t row =
-                    index_of(ranges_.size, box.origin[0], box.origin[1] + y, box.origin[2] + z);
-                const auto width = static_cast<std::size_t>(box.size[0]);
-                for (std::size_t x = 0; x < width; ++x) *out++ = value(contents_[c], row + x);
-            }
-        }
-    }
+    fill_rows(box, channels, [&](std::size_t c, int y, int z, float* out) {
+        const std::size_t row = index_of(ranges_.size, box.origin[0], y, z);
+        const auto width = static_cast<std::size_t>(box.size[0]);
+        for (std::size_t x = 0; x < width; ++x) out[x] = value(contents_[c], row + x);
+    });
 }
 
 }  // namespace skybake::occupancy

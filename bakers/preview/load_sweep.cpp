@@ -15,6 +15,7 @@
 #include "bakers/workspace/sweep/index_files.h"
 #include "bakers/workspace/sweep/variants.h"
 #include "config/text/key_path.h"
+#include "config/text/text.h"
 #include "config/text/units.h"
 
 namespace skybake {
@@ -116,16 +117,6 @@ std::optional<PreviewSweep> read_sweep(const Json& json) {
     return sweep;
 }
 
-std::vector<std::string_view> split_at_commas(std::string_view line) {
-    std::vector<std::string_view> fields;
-    for (std::size_t begin = 0; begin <= line.size();) {
-        const std::size_t end = std::min(line.find(',', begin), line.size());
-        fields.push_back(line.substr(begin, end - begin));
-        begin = end + 1;
-    }
-    return fields;
-}
-
 // Adds the times of timing.csv, of which index and asset are the first columns. Names of variants may
 // have commas and are the last column, so that fields before them have none.
 void add_times(std::istream& csv, PreviewSweep& sweep) {
@@ -133,9 +124,9 @@ void add_times(std::istream& csv, PreviewSweep& sweep) {
     for (SweepVariant& variant : sweep.variants) variants[std::to_string(variant.index)] = &variant;
     std::string header, line;
     std::getline(csv, header);
-    const std::vector<std::string_view> titles = split_at_commas(header);
+    const std::vector<std::string_view> titles = config::pieces_between_commas(header);
     while (std::getline(csv, line)) {
-        const std::vector<std::string_view> fields = split_at_commas(line);
+        const std::vector<std::string_view> fields = config::pieces_between_commas(line);
         if (fields.size() < titles.size()) continue;
         const auto variant = variants.find(std::string(fields[0]));
         if (variant == variants.end()) continue;

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "bakers/io/files/to_string.h"
 #include "bakers/io/manifest/release.h"
 
 namespace skybake {

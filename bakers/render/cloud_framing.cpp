@@ -5,8 +5,6 @@
 #include <cmath>
 #include <cstddef>
 
-#include "bakers/render/cloud_camera.h"
-
 namespace skybake {
 namespace {
 

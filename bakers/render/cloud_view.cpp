@@ -30,15 +30,6 @@ void SolvedSky::look_up(double elevation_degrees, double azimuth_degrees, double
 
 namespace {
 
-SceneLayer layer_of(const CloudMedium& medium, const CloudViewSettings& settings) {
-    return {&medium, settings.step_m, settings.light_step_m, settings.reach_m, false,
-            1,       settings.solved};
-}
-
-SceneFrame frame_of(const CloudViewSettings& settings) {
-    return {settings.width, settings.height, settings.camera};
-}
-
 double clamped_altitude_km(const Shell& shell, double altitude_m) {
     return std::clamp(altitude_m / 1000, 0.0, shell.thickness_km);
 }
@@ -86,27 +77,6 @@ Spectrum mean_radiance(const Atmosphere& atmosphere, double altitude_m, const Su
 
 }  // namespace
 
-MarchedView march_view(const CloudMedium& medium, const CloudViewSettings& settings, int threads,
-                       Progress* progress) {
-    const SceneMarch march({layer_of(medium, settings)}, settings.sun, settings.sunlit,
-                           settings.leaping, threads);
-    MarchedScene marched = march.march(frame_of(settings), threads, progress);
-    MarchedView view;
-    view.through = march.through(0);
-    view.fetches = marched.fetches;
-    view.results = Image2<float>(settings.width, settings.height, MarchedView::kChannels);
-    for (int y = 0; y < settings.height; ++y) {
-        for (int x = 0; x < settings.width; ++x) {
-            const float* seen = marched.results.texel(x, y);
-            float* out = view.results.texel(x, y);
-            std::copy(seen, seen + 4, out);
-            out[4] = seen[MarchedScene::kLayerChannels];
-            out[5] = seen[5];
-        }
-    }
-    return view;
-}
-
 CloudIllumination illumination(const CloudMedium& medium, const Atmosphere& atmosphere,
                                const SunDirection& sun, int threads) {
     const double top_m = medium.base_m + medium.extent_m[2];
@@ -124,13 +94,6 @@ GroundIrradiance ground_irradiance(const Atmosphere& atmosphere, const SunDirect
     return {slope * sunlight_at(atmosphere, 0, sun),
             std::numbers::pi *
                 mean_radiance(atmosphere, 0, sun, 0, 90, threads, DirectionWeight::sine)};
-}
-
-CloudView render_cloud(const CloudMedium& medium, const Atmosphere& atmosphere,
-                       const CloudViewSettings& settings, int threads, Progress* progress) {
-    SceneRenderer renderer({layer_of(medium, settings)}, atmosphere, settings.sun, threads,
-                           settings.leaping);
-    return renderer.render(frame_of(settings), threads, progress);
 }
 
 namespace {

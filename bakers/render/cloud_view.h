@@ -1,5 +1,5 @@
-// Renders a lit picture of a cloud volume by marching rays, as a runtime would. Sunlight takes a
-// second march towards the sun; sky and ground light is the mean radiance of each. All light comes
+// A lit picture of a cloud volume, which scene_view.h makes by marching rays, as a runtime would: its
+// camera, and the light and the air around it. Sunlight takes a second march towards the sun; sky and ground light is the mean radiance of each. All light comes
 // from the baked tables, but the sky behind the layer may be the solved one, and the light
 // within the cloud that of march/light_in_cloud.h.
 //
@@ -22,8 +22,6 @@
 // sends the rest.
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <optional>
 
 #include "bakers/air/medium.h"
@@ -83,22 +81,7 @@ struct CloudViewSettings {
     double step_m = 1;
     double light_step_m = 1;
     double reach_m = 1;
-    bool leaping = true;                   // uses medium.leaps; changes no pixel
-    bool sunlit = true;                    // false: march_view does not march towards the sun
-    const LightInCloud* solved = nullptr;  // null: the light of octaves
 };
-
-// The result of the march, which does not depend on the colours of light: one channel for each
-// member of RayResults, in their order. Row 0 is at the top. The bits are the same for any number
-// of threads and any instruction set, with or without leaping.
-struct MarchedView {
-    static constexpr int kChannels = 6;
-    Image2<float> results;
-    FetchCounts fetches;
-    double through = 1;  // the share of diffuse light that passes the layer
-};
-MarchedView march_view(const CloudMedium& medium, const CloudViewSettings& settings, int threads,
-                       Progress* progress = nullptr);
 
 // The light around a cloud layer, per unit of solar irradiance, with one entry per channel.
 struct CloudIllumination {
@@ -131,9 +114,6 @@ struct CloudView {
     FetchCounts fetches;
     int refined_pixels = 0;  // pixels with four samples
 };
-CloudView render_cloud(const CloudMedium& medium, const Atmosphere& atmosphere,
-                       const CloudViewSettings& settings, int threads,
-                       Progress* progress = nullptr);
 
 // Returns the altitude from which a picture shows the sky, which is at most the top of the air.
 double camera_altitude_km(const Medium& air, const CloudCamera& camera);

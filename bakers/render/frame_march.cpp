@@ -1,7 +1,6 @@
 #include "bakers/render/frame_march.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 

@@ -9,7 +9,6 @@
 // shows; there, a refined picture takes kSamples samples, whose shifts are evenly apart.
 #pragma once
 
-#include <array>
 #include <deque>
 #include <vector>
 

@@ -127,7 +127,7 @@ Spectrum cloud_radiance(const CloudIllumination& light, const float* seen) {
 }  // namespace
 
 SceneRenderer::SceneRenderer(const std::vector<SceneLayer>& layers, const Atmosphere& atmosphere,
-                             const SunDirection& sun, int threads, bool leaping)
+                             const SunDirection& sun, int threads)
     : layers_(layers), atmosphere_(atmosphere), sun_(sun) {
     std::ranges::stable_sort(layers_, [](const SceneLayer& a, const SceneLayer& b) {
         return middle_m(a) > middle_m(b);
@@ -140,7 +140,7 @@ SceneRenderer::SceneRenderer(const std::vector<SceneLayer>& layers, const Atmosp
         sunlit = sunlit || light.sun_at_base != dark || light.sun_at_top != dark;
         farthest_m_ = std::max(farthest_m_, layer.reach_m);
     }
-    march_.emplace(layers_, sun, sunlit, leaping, threads);
+    march_.emplace(layers_, sun, sunlit, true, threads);
     for (std::size_t l = 0; l < layers_.size(); ++l) {  // from the highest layer down
         lights_[l].sky *= through_;
         through_ *= march_->through(l);

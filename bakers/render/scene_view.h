@@ -50,7 +50,7 @@ class SceneRenderer {
     // The order of layers does not matter but for rounding. Media and atmosphere must outlive the
     // renderer.
     SceneRenderer(const std::vector<SceneLayer>& layers, const Atmosphere& atmosphere,
-                  const SunDirection& sun, int threads, bool leaping = true);
+                  const SunDirection& sun, int threads);
 
     // After an interruption the picture must not be used.
     CloudView render(const SceneFrame& frame, int threads, Progress* progress = nullptr);

@@ -10,8 +10,7 @@
 #include "bakers/math/transcendental-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace skybake {
-namespace HWY_NAMESPACE {
+namespace skybake::HWY_NAMESPACE {
 
 static_assert(FloatLanes::kCount <= static_cast<std::size_t>(kMarchPadding));
 
@@ -362,8 +361,7 @@ void MarchRow(const SkyMarch& sky, const MarchRays& rays, float* radiance) {
     march_channels<FloatLanes>(sky, rays, radiance);
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace skybake
+}  // namespace skybake::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE

@@ -79,10 +79,9 @@ void check_channels(const DecodedSection& bake, Decoder& decoder) {
     const DecodedField& content = bake.at("content");
     if (!content.value || !decoder.channels || decoder.channels == 3) return;
     if (choice_of<AerialContent>(content) != AerialContent::in_scatter_and_transmittance) return;
-    decoder.diagnostics.error(
-        "E0129", content.source ? content.source->place : bake.place,
-        fmt::format("`{}` is for three channels of light, and this recipe has {}",
-                    join_path(bake.path, "content"), *decoder.channels),
+    decoder.report(
+        "E0129", bake, "content",
+        fmt::format("is for three channels of light, and this recipe has {}", *decoder.channels),
         "bake content = \"in_scatter\" and content = \"transmittance\" as two assets");
 }
 
@@ -118,7 +117,7 @@ void resolve_aerial_perspective(DecodedSection& bake, const RecipeSoFar& recipe,
     if (!size.value) return;
     const auto voxels = std::get<VoxelCounts>(*size.value);
     resolve_files(bake, voxels, Halving::down, decoder);
-    check_voxel_count(bake, voxels, 4, size.source ? size.source->place : bake.place, decoder);
+    check_voxel_count(bake, voxels, 4, bake.place_of("size"), decoder);
 }
 
 }  // namespace

@@ -85,11 +85,7 @@ void report_unknown_asset(const AssetName& asset, const std::string& path, Decod
 std::optional<OpenBake> read_bake(const std::string& name, const Place& place, const Table& table,
                                   Decoder& decoder) {
     const std::string path = join_path("bake", name);
-    if (!is_bare_key(name)) {
-        decoder.diagnostics.error("E0117", place,
-                                  fmt::format("[{}] cannot be the name of a file", shorten(path)),
-                                  "use only letters, digits, `_` and `-`");
-    }
+    check_name(name, path, "a file", place, decoder);
     const std::optional<AssetName> asset = asset_name(name, place, table);
     if (!asset) {
         decoder.diagnostics.error("E0103", find_entry(table, "asset")->value.place,
@@ -155,14 +151,12 @@ void check_layer_names(const DecodedSection& bake, std::string_view key, const T
         // A layer that exists but could not be read has been reported already.
         const bool is_off = !known && is_in_recipe(root, *name);
         if ((known && !again) || (is_off && decoder.diagnostics.has_errors())) continue;
-        const std::string path = join_path(bake.path, key);
         const std::string_view problem = again ? "names a layer twice"
                                          : is_off
                                              ? "names a layer that is switched off"
                                              : "names a layer that the atmosphere does not have";
-        decoder.diagnostics.error("E0138", decoded->source->place,
-                                  fmt::format("`{}` {}: `{}`", path, problem, shorten(*name)),
-                                  again ? "name it once" : what_there_is(*name, atmosphere));
+        decoder.report("E0138", bake, key, fmt::format("{}: `{}`", problem, shorten(*name)),
+                       again ? "name it once" : what_there_is(*name, atmosphere));
     }
 }
 

@@ -55,10 +55,8 @@ void check_mask_size(const DecodedSection& bake, const VoxelCounts& size, Decode
 void check_one_level(const DecodedSection& bake, Decoder& decoder) {
     const DecodedField& mips = bake.at("mips");
     if (!mips.value || std::get<double>(*mips.value) == 1) return;
-    decoder.diagnostics.error(
-        "E0110", mips.source->place,
-        fmt::format("`{}` is out of range: blue noise has one level", join_path(bake.path, "mips")),
-        "a mean of several pixels is about 1/2 everywhere");
+    decoder.report("E0110", bake, "mips", "is out of range: blue noise has one level",
+                   "a mean of several pixels is about 1/2 everywhere");
 }
 
 // The module beside the file loads masks of any size, the package's own loader only one.
@@ -67,10 +65,8 @@ void warn_of_takram(const DecodedSection& bake, const VoxelCounts& voxels, Decod
     if (choice_of<Target>(bake.at("target")) != Target::takram || voxels == loaded) return;
     const bool is_wide = voxels[0] != loaded[0] || voxels[1] != loaded[1];
     const std::string_view unusual = is_wide ? "size" : "frames";
-    decoder.diagnostics.warning("W0205", bake.at(unusual).source->place,
-                                fmt::format("`{}` is not what @takram/three-geospatial loads",
-                                            join_path(bake.path, unusual)),
-                                "its STBNLoader takes 128 x 128 pixels and 64 frames");
+    decoder.report("W0205", bake, unusual, "is not what @takram/three-geospatial loads",
+                   "its STBNLoader takes 128 x 128 pixels and 64 frames");
 }
 
 // Reports pixel types that a format does not have (E0131), a mask that is too large (E0126) and

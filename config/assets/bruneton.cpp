@@ -173,10 +173,9 @@ void check_combined(const DecodedSection& bake, const Parameters& recipe, Decode
     if (channels == 1 || channels == 3 || channels == 0) return;
     const DecodedField& combined = bake.at("combined");
     if (!combined.value || !std::get<bool>(*combined.value)) return;
-    decoder.diagnostics.error(
-        "E0129", combined.source ? combined.source->place : bake.place,
-        fmt::format("`{}` is for one or three channels of light, and this recipe has {}",
-                    join_path(bake.path, "combined"), channels),
+    decoder.report(
+        "E0129", bake, "combined",
+        fmt::format("is for one or three channels of light, and this recipe has {}", channels),
         "give combined = false, and bake table = \"single_mie\" as another asset");
 }
 
@@ -184,10 +183,8 @@ void check_combined(const DecodedSection& bake, const Parameters& recipe, Decode
 void check_takram(const DecodedSection& bake, const Parameters& recipe, Decoder& decoder) {
     const auto problem = takram_problem(recipe.atmosphere, channels_of_light(recipe));
     if (!problem) return;
-    const DecodedField& convention = bake.at("convention");
-    decoder.diagnostics.error("E0143", convention.source ? convention.source->place : bake.place,
-                              fmt::format("`{}`: {}", join_path(bake.path, "convention"), *problem),
-                              "convention = \"bruneton\" takes any atmosphere");
+    decoder.report("E0143", bake, "convention", fmt::format(": {}", *problem),
+                   "convention = \"bruneton\" takes any atmosphere");
 }
 
 // Warns of values other than those that takram's loader takes for granted (W0205). The loader would
@@ -205,11 +202,8 @@ void warn_of_loader(const DecodedSection& bake, const VoxelCounts& usual_size, D
     if (choice_of<PixelType>(bake.at("pixel_type")) != PixelType::half) unusual = "pixel_type";
     if (!std::get<bool>(*bake.at("flip").value)) unusual = "flip";
     if (!unusual) return;
-    const DecodedField& decoded = bake.at(unusual);
-    decoder.diagnostics.warning(
-        "W0205", decoded.source ? decoded.source->place : bake.place,
-        fmt::format("`{}` is not what @takram/three-atmosphere loads",
-                    join_path(bake.path, unusual)),
+    decoder.report(
+        "W0205", bake, unusual, "is not what @takram/three-atmosphere loads",
         "it loads the default sizes, half floats and one stack upside down, without mips");
 }
 
@@ -217,21 +211,17 @@ void warn_of_loader(const DecodedSection& bake, const VoxelCounts& usual_size, D
 void check_calcmysky(const DecodedSection& bake, Decoder& decoder) {
     const DecodedField& least = bake.at("sun_cos_zenith_min");
     if (!least.source) return;
-    decoder.diagnostics.error(
-        "E0110", least.source->place,
-        fmt::format("`{}` follows from the planet with convention = \"calcmysky\"",
-                    join_path(bake.path, "sun_cos_zenith_min")),
-        "leave it out, or take another convention");
+    decoder.report("E0110", bake, "sun_cos_zenith_min",
+                   "follows from the planet with convention = \"calcmysky\"",
+                   "leave it out, or take another convention");
 }
 
 // Reports `orders = 1` for the table of orders above the first, which would have no orders (E0110).
 void check_higher_orders(const DecodedSection& bake, Decoder& decoder) {
     const DecodedField& orders = bake.at("orders");
     if (!orders.value || std::get<double>(*orders.value) != 1) return;
-    decoder.diagnostics.error(
-        "E0110", orders.source->place,
-        fmt::format("`{}` is out of range: 1", join_path(bake.path, "orders")),
-        "higher_orders holds the second order and above: give at least 2, or \"all\"");
+    decoder.report("E0110", bake, "orders", "is out of range: 1",
+                   "higher_orders holds the second order and above: give at least 2, or \"all\"");
 }
 
 // Fills in the values that depend on the table, the convention and the layers. It reports a size

@@ -61,14 +61,13 @@ struct DistanceResolver {
         const auto& contents = std::get<std::vector<ChoiceIndex>>(*decoded.value);
         const std::string path = join_path(bake.path, "contents");
         if (contents.size() == 2) {
-            decoder.diagnostics.error(
-                "E0129", decoded.source->place, fmt::format("`{}` has two channels", path),
+            decoder.report(
+                "E0129", bake, "contents", "has two channels",
                 "a picture has one, three or four channels: add one, or bake two assets");
         } else if (!distance_content_choices[contents.front().index].is(
                        DistanceContent::distance)) {
-            decoder.diagnostics.error("E0175", decoded.source->place,
-                                      fmt::format("`{}` does not begin with \"distance\"", path),
-                                      "lookups find the distance in the first channel");
+            decoder.report("E0175", bake, "contents", "does not begin with \"distance\"",
+                           "lookups find the distance in the first channel");
         }
         return contents.size();
     }
@@ -79,10 +78,8 @@ struct DistanceResolver {
         if (!decoded.value) return;
         const auto& ends = std::get<std::array<double, 2>>(*decoded.value);
         if (ends[0] <= 0 && ends[1] > 0) return;
-        decoder.diagnostics.error(
-            "E0175", decoded.source->place,
-            fmt::format("`{}` has no room for the distance 0", join_path(bake.path, "range")),
-            "begin it at or below 0 m, and end it above 0 m");
+        decoder.report("E0175", bake, "range", "has no room for the distance 0",
+                       "begin it at or below 0 m, and end it above 0 m");
     }
 
     void check_tiling(const CloudVolumeBake& volume, int cell) const {
@@ -97,9 +94,8 @@ struct DistanceResolver {
     void check_levels() const {
         const DecodedField& mips = bake.at("mips");
         if (!mips.value || std::get<double>(*mips.value) == 1 || mips.source == nullptr) return;
-        decoder.diagnostics.error("E0110", mips.source->place,
-                                  fmt::format("`{}` must be 1", join_path(bake.path, "mips")),
-                                  "bake another cloud_distance with a larger `cell`");
+        decoder.report("E0110", bake, "mips", "must be 1",
+                       "bake another cloud_distance with a larger `cell`");
     }
 };
 

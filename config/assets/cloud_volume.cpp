@@ -68,18 +68,13 @@ struct CloudVolumeResolver {
     DecodedSection& bake;
     Decoder& decoder;
 
-    Place size_place() const {
-        for (const std::string_view key : {"size", "voxel_size"}) {
-            if (bake.at(key).source) return bake.at(key).source->place;
-        }
-        return bake.place;
-    }
+    const Place& size_place() const { return bake.place_of("size", "voxel_size"); }
 
     void report_missing_size(const Cloud* cloud) const {
         if (!decoder.complete) return;
         const auto usual = cloud ? usual_voxel_size(*cloud) : std::nullopt;
-        decoder.diagnostics.error(
-            "E0105", bake.place, fmt::format("`{}` is missing", join_path(bake.path, "size")),
+        decoder.report(
+            "E0105", bake, "size", "is missing",
             usual
                 ? fmt::format("give voxel_size = \"{}\", or size", length_to_string(usual->meters))
                 : "give size, the voxels along each axis, or voxel_size, the edge of cubes");

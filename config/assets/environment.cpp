@@ -120,12 +120,6 @@ struct EnvironmentResolver {
         return choice && decoded.field->choices[choice->index].is(wanted);
     }
 
-    void refuse(std::string_view key, std::string message, std::string label) const {
-        const DecodedField& decoded = bake.at(key);
-        decoder.diagnostics.error("E0172", decoded.source ? decoded.source->place : bake.place,
-                                  std::move(message), std::move(label));
-    }
-
     // Returns how many squares the image is high, or 0 where it need not be made of squares.
     int squares() const {
         if (is("mapping", EnvironmentMapping::cube)) return 6;
@@ -160,21 +154,18 @@ struct EnvironmentResolver {
         if (*mips == 0) bake.at("mips").value = double{1} * most;
         // Levels beyond one texel are out of the range of `mips` itself.
         if (*mips <= most || edge == 1) return;
-        refuse("mips",
-               fmt::format("`{}` halves squares of {} texels too often",
-                           join_path(bake.path, "mips"), (*size)[0]),
-               fmt::format("at most {} levels have whole texels, {} along an edge or more", most,
-                           least));
+        decoder.report("E0172", bake, "mips",
+                       fmt::format("halves squares of {} texels too often", (*size)[0]),
+                       fmt::format("at most {} levels have whole texels, {} along an edge or more",
+                                   most, least));
     }
 
     void check_levels() const {
         check_halving();
         const auto* mips = given_value<double>(bake.at("mips"));
         if (!is("level_content", LevelContent::ggx) || !mips || *mips != 1) return;
-        refuse("level_content",
-               fmt::format("`{}` needs more levels than the map itself",
-                           join_path(bake.path, "level_content")),
-               "give `mips`, for instance 6");
+        decoder.report("E0172", bake, "level_content", "needs more levels than the map itself",
+                       "give `mips`, for instance 6");
     }
 
     // Refuses clouds whose values are no densities.
@@ -182,9 +173,8 @@ struct EnvironmentResolver {
         const CloudVolumeBake* volume = find_volume_named(bake, "clouds", name, recipe, decoder);
         const Cloud* cloud = volume ? find_cloud(*volume, recipe) : nullptr;
         if (!cloud || cloud->channels == CloudChannels::density) return;
-        refuse("clouds",
-               fmt::format("`{}` needs volumes of densities", join_path(bake.path, "clouds")),
-               fmt::format("`channels` of the cloud of `{}` are noise", shorten(name)));
+        decoder.report("E0172", bake, "clouds", "needs volumes of densities",
+                       fmt::format("`channels` of the cloud of `{}` are noise", shorten(name)));
     }
 
     void check_clouds(const std::vector<std::string>& names) const {
@@ -192,10 +182,9 @@ struct EnvironmentResolver {
             if (std::find(names.begin(), name, *name) == name) {
                 check_cloud(*name);
             } else {
-                refuse("clouds",
-                       fmt::format("`{}` has `{}` twice", join_path(bake.path, "clouds"),
-                                   shorten(*name)),
-                       "name each layer once");
+                decoder.report("E0172", bake, "clouds",
+                               fmt::format("has `{}` twice", shorten(*name)),
+                               "name each layer once");
             }
         }
         check_camera_in_air();
@@ -206,9 +195,9 @@ struct EnvironmentResolver {
         const Atmosphere& air = recipe.parameters.atmosphere;
         const double thickness_m = air.top_radius.meters - air.ground_radius.meters;
         if (!altitude || thickness_m <= 0 || *altitude < thickness_m) return;
-        refuse("clouds",
-               fmt::format("`{}` needs a camera in the air", join_path(bake.path, "clouds")),
-               fmt::format("the air ends {} above the ground", length_to_string(thickness_m)));
+        decoder.report(
+            "E0172", bake, "clouds", "needs a camera in the air",
+            fmt::format("the air ends {} above the ground", length_to_string(thickness_m)));
     }
 };
 

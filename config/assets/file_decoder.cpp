@@ -71,15 +71,13 @@ bool is_cube(const DecodedSection& bake) {
 }
 
 // Reports that the target does not load textures without their last levels.
-void check_for_target(const DecodedSection& bake, const DecodedField& mips, double levels,
-                      Decoder& decoder) {
+void check_for_target(const DecodedSection& bake, double levels, Decoder& decoder) {
     const auto target = choice_of<Target>(bake.at("target"));
     if (!target || !facts_of(*target).needs_every_level) return;
-    decoder.diagnostics.error(
-        "E0160", mips.source->place,
-        fmt::format("`{}`: {} cannot load textures whose levels end before one texel",
-                    join_path(bake.path, "mips"), facts_of(*target).name),
-        fmt::format("it loads 1 level, or all {}", static_cast<int>(levels)));
+    decoder.report("E0160", bake, "mips",
+                   fmt::format(": {} cannot load textures whose levels end before one texel",
+                               facts_of(*target).name),
+                   fmt::format("it loads 1 level, or all {}", static_cast<int>(levels)));
 }
 
 void resolve_levels(DecodedSection& bake, const VoxelCounts& size, Halving halving,
@@ -90,26 +88,23 @@ void resolve_levels(DecodedSection& bake, const VoxelCounts& size, Halving halvi
     const VoxelCounts of_face = {size[0], size[0], size[2]};
     const double levels = levels_of(is_cube(bake) ? of_face : size, halving);
     if (*asked > levels) {
-        decoder.diagnostics.error(
-            "E0110", decoded.source->place,
-            fmt::format("`{}` is out of range: {}", join_path(bake.path, "mips"),
-                        static_cast<int>(*asked)),
-            fmt::format("{} has {} levels down to one voxel", voxels_to_string(size),
-                        static_cast<int>(levels)));
+        decoder.report("E0110", bake, "mips",
+                       fmt::format("is out of range: {}", static_cast<int>(*asked)),
+                       fmt::format("{} has {} levels down to one voxel", voxels_to_string(size),
+                                   static_cast<int>(levels)));
     }
     if (*asked == 0) decoded.value = levels;
-    if (*asked > 1 && *asked < levels) check_for_target(bake, decoded, levels, decoder);
+    if (*asked > 1 && *asked < levels) check_for_target(bake, levels, decoder);
 }
 
 // Reports formats that refer to VDB files of an asset that has none.
 void check_references(const DecodedSection& bake, Decoder& decoder) {
     for (const FileFormat format : formats_of(bake)) {
         if (!facts_of(format).only_refers || has_format(bake, FileFormat::vdb)) continue;
-        decoder.diagnostics.error(
-            "E0131", bake.at("formats").source->place,
-            fmt::format("`{}`: {} files refer to VDB files, and [{}] has none",
-                        join_path(bake.path, "formats"), facts_of(format).name, bake.path),
-            "add \"vdb\"");
+        decoder.report("E0131", bake, "formats",
+                       fmt::format(": {} files refer to VDB files, and [{}] has none",
+                                   facts_of(format).name, bake.path),
+                       "add \"vdb\"");
     }
 }
 
@@ -121,10 +116,9 @@ void check_flip(const DecodedSection& bake, Decoder& decoder) {
     const std::vector<FileFormat> formats = formats_of(bake);
     const auto is_image = [](FileFormat format) { return facts_of(format).is_image; };
     if (formats.empty() || std::ranges::any_of(formats, is_image)) return;
-    decoder.diagnostics.error("E0131", flip.source->place,
-                              fmt::format("`{}` turns images upside down, and [{}] has none",
-                                          join_path(bake.path, "flip"), bake.path),
-                              "leave it out, or add an image, such as \"exr\", to the formats");
+    decoder.report("E0131", bake, "flip",
+                   fmt::format("turns images upside down, and [{}] has none", bake.path),
+                   "leave it out, or add an image, such as \"exr\", to the formats");
 }
 
 // Reports axes that the table does not have, and axes with fewer than the two texels that their
@@ -190,12 +184,11 @@ void check_pixel_type(const DecodedSection& bake, Decoder& decoder) {
     for (const Choice& choice : decoded.field->choices) {
         if (first->holds(static_cast<PixelType>(choice.enumerator))) types.push_back(choice.name);
     }
-    decoder.diagnostics.error(
-        "E0131", decoded.source ? decoded.source->place : bake.place,
-        fmt::format("`{}`: {} files cannot hold {}", join_path(bake.path, "pixel_type"),
-                    fmt::join(without, " and "), choice_name(*decoded.field, *type)),
-        fmt::format("{} hold it; {} holds {}", fmt::join(with, ", "), first->name,
-                    fmt::join(types, ", ")));
+    decoder.report("E0131", bake, "pixel_type",
+                   fmt::format(": {} files cannot hold {}", fmt::join(without, " and "),
+                               choice_name(*decoded.field, *type)),
+                   fmt::format("{} hold it; {} holds {}", fmt::join(with, ", "), first->name,
+                               fmt::join(types, ", ")));
 }
 
 void check_channels(const DecodedSection& bake, std::size_t channels, Decoder& decoder) {
@@ -204,11 +197,10 @@ void check_channels(const DecodedSection& bake, std::size_t channels, Decoder& d
     if (!type) return;
     const std::size_t coded = coded_channels(*type);
     if (coded == 0 || coded == channels) return;
-    decoder.diagnostics.error(
-        "E0131", decoded.source ? decoded.source->place : bake.place,
-        fmt::format("`{}`: {} codes {} channel{}, and [{}] has {}",
-                    join_path(bake.path, "pixel_type"), choice_name(*decoded.field, *type), coded,
-                    coded == 1 ? "" : "s", bake.path, channels),
+    decoder.report(
+        "E0131", bake, "pixel_type",
+        fmt::format(": {} codes {} channel{}, and [{}] has {}", choice_name(*decoded.field, *type),
+                    coded, coded == 1 ? "" : "s", bake.path, channels),
         "bc4 codes one channel, bc6h and rgbe three");
 }
 
@@ -216,11 +208,10 @@ void refuse_blocks(const DecodedSection& bake, std::string_view what, Decoder& d
     const DecodedField& decoded = bake.at("pixel_type");
     const auto type = pixel_type_of(bake);
     if (!type || !is_block_coded(*type)) return;
-    decoder.diagnostics.error("E0131", decoded.source->place,
-                              fmt::format("`{}`: {} codes blocks of volumes, and [{}] is {}",
-                                          join_path(bake.path, "pixel_type"),
-                                          choice_name(*decoded.field, *type), bake.path, what),
-                              "float, half, unorm8 and unorm16 hold each value by itself");
+    decoder.report("E0131", bake, "pixel_type",
+                   fmt::format(": {} codes blocks of volumes, and [{}] is {}",
+                               choice_name(*decoded.field, *type), bake.path, what),
+                   "float, half, unorm8 and unorm16 hold each value by itself");
 }
 
 void resolve_files(DecodedSection& bake, const VoxelCounts& size, Halving halving,
@@ -262,9 +253,7 @@ void check_voxel_count(const DecodedSection& bake, const VoxelCounts& size, std:
 
 void report_size(const DecodedSection& bake, std::string message, std::string label,
                  Decoder& decoder) {
-    const DecodedField& size = bake.at("size");
-    decoder.diagnostics.error("E0142", size.source ? size.source->place : bake.place,
-                              std::move(message), std::move(label));
+    decoder.diagnostics.error("E0142", bake.place_of("size"), std::move(message), std::move(label));
 }
 
 void resolve_axes_and_files(DecodedSection& bake, int axes, std::size_t channels,
@@ -275,8 +264,7 @@ void resolve_axes_and_files(DecodedSection& bake, int axes, std::size_t channels
     const auto texels = std::get<VoxelCounts>(*size.value);
     check_axes(bake, texels, axes, decoder);
     resolve_files(bake, texels, Halving::down, decoder);
-    check_voxel_count(bake, texels, channels, size.source ? size.source->place : bake.place,
-                      decoder);
+    check_voxel_count(bake, texels, channels, bake.place_of("size"), decoder);
 }
 
 void check_formats(const DecodedSection& bake, bool is_table, bool has_colors, Decoder& decoder) {
@@ -284,13 +272,12 @@ void check_formats(const DecodedSection& bake, bool is_table, bool has_colors, D
         const FormatFacts& facts = facts_of(format);
         const bool misses_colors = facts.only_colors && !(is_table && has_colors);
         if (!(facts.only_volumes && is_table) && !misses_colors) continue;
-        decoder.diagnostics.error(
-            "E0131", bake.at("formats").source->place,
-            fmt::format("`{}`: {} files hold {}, and [{}] {}", join_path(bake.path, "formats"),
-                        facts.name, misses_colors ? "colours of the sky in tables" : "volumes",
-                        bake.path, misses_colors ? "has none" : "is a table"),
-            misses_colors ? "environment, sky_view and irradiance have them"
-                          : "most other formats hold tables");
+        decoder.report("E0131", bake, "formats",
+                       fmt::format(": {} files hold {}, and [{}] {}", facts.name,
+                                   misses_colors ? "colours of the sky in tables" : "volumes",
+                                   bake.path, misses_colors ? "has none" : "is a table"),
+                       misses_colors ? "environment, sky_view and irradiance have them"
+                                     : "most other formats hold tables");
     }
     if (has_colors && decoder.channels && pixel_type_of(bake) == PixelType::rgbe) {
         check_channels(bake, static_cast<std::size_t>(*decoder.channels), decoder);
@@ -312,10 +299,8 @@ void check_chosen_files(DecodedSection& bake, std::string_view size_key, Decoder
         const DecodedField& field = bake.at(key);
         const auto* value = value_of<double>(field);
         if (!field.source || !value || *value == 1) continue;
-        decoder.diagnostics.error(
-            "E0110", field.source->place,
-            fmt::format("`{}` needs `{}`", join_path(bake.path, key), size_key),
-            fmt::format("it follows from the size, and `max_error` chooses that later"));
+        decoder.report("E0110", bake, key, fmt::format("needs `{}`", size_key),
+                       fmt::format("it follows from the size, and `max_error` chooses that later"));
     }
 }
 

@@ -79,12 +79,10 @@ void report_no_sequence(const DecodedSection& bake, const RecipeSoFar& recipe,
     for (const Bake& other : recipe.bakes) {
         if (is_first_frame(other)) names.push_back(sequence_name(other.name));
     }
-    decoder.diagnostics.error("E0133", bake.at("of").source->place,
-                              fmt::format("`{}`: the recipe has no [bake.{}] with `frames`",
-                                          join_path(bake.path, "of"), shorten(name)),
-                              names.empty()
-                                  ? "the recipe has no bake of several frames"
-                                  : fmt::format("this recipe has {}", fmt::join(names, ", ")));
+    decoder.report("E0133", bake, "of",
+                   fmt::format(": the recipe has no [bake.{}] with `frames`", shorten(name)),
+                   names.empty() ? "the recipe has no bake of several frames"
+                                 : fmt::format("this recipe has {}", fmt::join(names, ", ")));
 }
 
 template <class T>
@@ -95,13 +93,6 @@ void derive_unless_given(DecodedSection& bake, std::string_view key, T value) {
 int number_of(const DecodedSection& bake, std::string_view key) {
     const auto& value = bake.at(key).value;
     return value ? static_cast<int>(std::get<double>(*value)) : 0;
-}
-
-void report_range(const DecodedSection& bake, std::string_view key, std::string found,
-                  std::string allowed, Decoder& decoder) {
-    const DecodedField& decoded = bake.at(key);
-    decoder.diagnostics.error("E0110", decoded.source ? decoded.source->place : bake.place,
-                              std::move(found), std::move(allowed));
 }
 
 std::size_t channels_of(const Bake& frame, const Parameters& recipe) {
@@ -119,10 +110,8 @@ std::size_t channels_of(const Bake& frame, const Parameters& recipe) {
 void resolve_levels(DecodedSection& bake, const VoxelCounts& size, Decoder& decoder) {
     if (number_of(bake, "mips") < 2) return;
     if (choice_of<FlipbookMapping>(bake.at("mapping")) != FlipbookMapping::layers) {
-        report_range(bake, "mips",
-                     fmt::format("`{}`: levels of a 3-D texture would mix frames",
-                                 join_path(bake.path, "mips")),
-                     "`mapping = \"layers\"` has levels that keep frames apart", decoder);
+        decoder.report("E0110", bake, "mips", ": levels of a 3-D texture would mix frames",
+                       "`mapping = \"layers\"` has levels that keep frames apart");
     }
     if (choice_of<SheetLayout>(bake.at("layout")) != SheetLayout::atlas) return;
     derive_unless_given(bake, "columns",
@@ -146,10 +135,8 @@ void resolve_flipbook(DecodedSection& bake, const RecipeSoFar& recipe, Decoder& 
     derive_unless_given(bake, "length", double{1} * length_of(recipe.bakes, *name));
     derive_unless_given(bake, "slice", double{1} * (depth / 2));
     if (number_of(bake, "slice") >= depth && depth > 0) {
-        report_range(
-            bake, "slice",
-            fmt::format("`{}` is {}", join_path(bake.path, "slice"), number_of(bake, "slice")),
-            fmt::format("the frames have slices 0 to {}", depth - 1), decoder);
+        decoder.report("E0110", bake, "slice", fmt::format("is {}", number_of(bake, "slice")),
+                       fmt::format("the frames have slices 0 to {}", depth - 1));
     }
     const VoxelCounts size = {width, height, number_of(bake, "length")};
     if (width < 1 || size[2] < 1) return;

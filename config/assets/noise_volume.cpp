@@ -21,12 +21,7 @@ const Row<NoiseVolumeBake> noise_volume_table[] = {
 };
 
 // Returns the place that decides the size: in the bake, or the name of the noise.
-Place size_place(const DecodedSection& bake) {
-    for (const std::string_view key : {"size", "noise"}) {
-        if (bake.at(key).source) return bake.at(key).source->place;
-    }
-    return bake.place;
-}
+const Place& size_place(const DecodedSection& bake) { return bake.place_of("size", "noise"); }
 
 void resolve_size(DecodedSection& bake, const Noise& noise) {
     DecodedField& size = bake.at("size");

@@ -65,9 +65,8 @@ struct OccupancyResolver {
         if (!decoded.value) return 1;
         const std::size_t count = std::get<std::vector<ChoiceIndex>>(*decoded.value).size();
         if (count != 2) return count;
-        decoder.diagnostics.error(
-            "E0129", decoded.source->place,
-            fmt::format("`{}` has two channels", join_path(bake.path, "contents")),
+        decoder.report(
+            "E0129", bake, "contents", "has two channels",
             "a picture has one, three or four channels: add one, or bake them as two assets");
         return count;
     }

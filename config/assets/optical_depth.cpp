@@ -100,10 +100,8 @@ void resolve_optical_depth(DecodedSection& bake, const RecipeSoFar& recipe, Deco
     const std::size_t count =
         kinds.value ? std::get<std::vector<std::string>>(*kinds.value).size() : 1;
     if ((count < 1 || count > most_kinds) && decoder.complete) {
-        decoder.diagnostics.error(
-            "E0129", kinds.source ? kinds.source->place : bake.place,
-            fmt::format("`{}` has {} layers", join_path(bake.path, "kinds"), count),
-            "each has a channel, of which there are one to four; name the layers");
+        decoder.report("E0129", bake, "kinds", fmt::format("has {} layers", count),
+                       "each has a channel, of which there are one to four; name the layers");
     }
     const int axes = *table == OpticalDepthTable::to_top    ? 2
                      : *table == OpticalDepthTable::between ? 3

@@ -30,12 +30,7 @@ std::optional<SheetLayout> resolve_layout(DecodedSection& bake, const VoxelCount
 }
 
 // Returns the place in the recipe that decides the sheet.
-const Place& layout_place(const DecodedSection& bake) {
-    for (const std::string_view key : {"columns", "layout"}) {
-        if (bake.at(key).source) return bake.at(key).source->place;
-    }
-    return bake.place;
-}
+const Place& layout_place(const DecodedSection& bake) { return bake.place_of("columns", "layout"); }
 
 void warn_of_large_sheet(const DecodedSection& bake, const VoxelCounts& size,
                          const SliceSheet& sheet, Decoder& decoder) {
@@ -74,10 +69,8 @@ bool has_good_columns(const DecodedSection& bake, const VoxelCounts& size, Decod
     if (!columns) return true;
     const bool wide = *columns * size[0] > static_cast<double>(widest_sheet);
     if (*columns <= size[2] && !wide) return true;
-    decoder.diagnostics.error(
-        "E0110", decoded.source->place,
-        fmt::format("`{}` is out of range: {}", join_path(bake.path, "columns"),
-                    static_cast<int>(*columns)),
+    decoder.report(
+        "E0110", bake, "columns", fmt::format("is out of range: {}", static_cast<int>(*columns)),
         *columns > size[2] ? fmt::format("the volume has {} slices", size[2])
                            : fmt::format("an atlas is at most {} voxels wide, which is {} columns",
                                          widest_sheet, widest_sheet / size[0]));

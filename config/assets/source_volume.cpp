@@ -47,10 +47,9 @@ void report_no_volume(const DecodedSection& bake, std::string_view key, const Re
                       const std::string& name, bool is_other_asset, Decoder& decoder) {
     const std::vector<std::string_view> names = volume_names(recipe);
     if (const std::string frames = frames_of_sequence(names, name); !frames.empty()) {
-        decoder.diagnostics.error(
-            "E0133", bake.at(key).source->place,
-            fmt::format("`{}` must name one frame of [bake.{}], which has several",
-                        join_path(bake.path, key), shorten(name)),
+        decoder.report(
+            "E0133", bake, key,
+            fmt::format("must name one frame of [bake.{}], which has several", shorten(name)),
             fmt::format("this recipe has {}", frames));
         return;
     }
@@ -59,13 +58,11 @@ void report_no_volume(const DecodedSection& bake, std::string_view key, const Re
         label = "the recipe has no [bake.NAME] with asset = \"cloud_volume\"";
     }
     if (label.empty()) label = fmt::format("this recipe has {}", fmt::join(names, ", "));
-    decoder.diagnostics.error(
-        "E0133", bake.at(key).source->place,
+    decoder.report(
+        "E0133", bake, key,
         is_other_asset
-            ? fmt::format("`{}` must name a cloud_volume, and [bake.{}] is another asset",
-                          join_path(bake.path, key), shorten(name))
-            : fmt::format("`{}`: the recipe has no [bake.{}]", join_path(bake.path, key),
-                          shorten(name)),
+            ? fmt::format("must name a cloud_volume, and [bake.{}] is another asset", shorten(name))
+            : fmt::format(": the recipe has no [bake.{}]", shorten(name)),
         std::move(label));
 }
 
@@ -106,10 +103,9 @@ void check_source_channel(const DecodedSection& bake, const CloudVolumeBake& vol
     const std::vector<std::string> channels = channels_of(volume, recipe);
     if (!name || name->empty() || channels.empty()) return;
     if (std::ranges::find(channels, *name) != channels.end()) return;
-    decoder.diagnostics.error(
-        "E0134", decoded.source->place,
-        fmt::format("`{}`: `{}` has no channel `{}`", join_path(bake.path, "channel"),
-                    *text_of(bake.at("of")), shorten(*name)),
+    decoder.report(
+        "E0134", bake, "channel",
+        fmt::format(": `{}` has no channel `{}`", *text_of(bake.at("of")), shorten(*name)),
         fmt::format("channel{} {}", channels.size() == 1 ? " is" : "s are",
                     fmt::join(channels, ", ")));
 }

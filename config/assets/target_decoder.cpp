@@ -39,10 +39,9 @@ class TargetKeys {
 
   private:
     void refuse(const DecodedField& given, std::string_view value, std::string label) const {
-        decoder_.diagnostics.error(
-            "E0160", given.source->place,
-            fmt::format("`{}`: target \"{}\" does not load {} with {}",
-                        join_path(bake_.path, given.field->key), target_.name, asset_, value),
+        decoder_.report(
+            "E0160", bake_, given.field->key,
+            fmt::format(": target \"{}\" does not load {} with {}", target_.name, asset_, value),
             std::move(label));
     }
 
@@ -193,7 +192,7 @@ void resolve_target(DecodedSection& bake, std::string_view asset, const Paramete
     const auto choice = choice_of<Target>(decoded);
     if (!choice || *choice == Target::none) return;
     const TargetFacts& target = facts_of(*choice);
-    const Place& place = decoded.source ? decoded.source->place : bake.place;
+    const Place& place = bake.place_of("target");
     const TargetUse* use = use_of(bake, asset, target);
     if (use == nullptr) return report_no_use(bake, asset, target, decoder);
     TargetKeys(bake, asset, target, *use, decoder).resolve();

@@ -83,11 +83,8 @@ class WeatherMapResolver {
   public:
     WeatherMapResolver(DecodedSection& bake, const Noise& noise, Decoder& decoder)
         : bake_(bake), decoder_(decoder) {
-        if (noise.pack != NoisePacking::none || noise.channels.size() == 1) {
-            names_ = {"Y"};
-            return;
-        }
-        for (const NoiseChannel& channel : noise.channels) names_.push_back(channel.name);
+        const bool has_none = noise.pack == NoisePacking::none && noise.channels.empty();
+        if (!has_none) names_ = channel_names(noise);
     }
 
     void resolve_size(const Noise& noise) {
@@ -105,18 +102,11 @@ class WeatherMapResolver {
     }
 
   private:
-    void refuse(const DecodedField& given, std::string message, std::string label) const {
-        decoder_.diagnostics.error("E0156", given.source ? given.source->place : bake_.place,
-                                   std::move(message), std::move(label));
-    }
-
-    std::string path(std::string_view key) const { return join_path(bake_.path, key); }
-
-    void report_count(const DecodedField& given, std::string_view key, std::size_t count) const {
-        refuse(given,
-               fmt::format("`{}` has {} items, and the noise has {} channel{}", path(key), count,
-                           names_.size(), names_.size() == 1 ? "" : "s"),
-               "give one item for each channel, or one for all");
+    void report_count(std::string_view key, std::size_t count) const {
+        decoder_.report("E0156", bake_, key,
+                        fmt::format("has {} items, and the noise has {} channel{}", count,
+                                    names_.size(), names_.size() == 1 ? "" : "s"),
+                        "give one item for each channel, or one for all");
     }
 
     // Gives each channel its number.
@@ -125,7 +115,7 @@ class WeatherMapResolver {
         if (!decoded.value) return;
         auto& shares = std::get<std::vector<double>>(*decoded.value);
         if (shares.size() == 1) shares.resize(names_.size(), shares.front());
-        if (shares.size() != names_.size()) report_count(decoded, key, shares.size());
+        if (shares.size() != names_.size()) report_count(key, shares.size());
     }
 
     void resolve_yields() {
@@ -133,22 +123,20 @@ class WeatherMapResolver {
         if (!decoded.value) return;
         const auto& yields = std::get<std::vector<std::string>>(*decoded.value);
         if (yields.empty()) return;
-        if (yields.size() != names_.size())
-            return report_count(decoded, "yields_to", yields.size());
-        for (std::size_t i = 0; i < yields.size(); ++i) check_yield(decoded, yields, i);
+        if (yields.size() != names_.size()) return report_count("yields_to", yields.size());
+        for (std::size_t i = 0; i < yields.size(); ++i) check_yield(yields, i);
     }
 
-    void check_yield(const DecodedField& decoded, const std::vector<std::string>& yields,
-                     std::size_t channel) const {
+    void check_yield(const std::vector<std::string>& yields, std::size_t channel) const {
         const std::string& name = yields[channel];
         if (name.empty()) return;
         const auto found = std::ranges::find(names_, name);
         const auto index = static_cast<std::size_t>(found - names_.begin());
         if (found != names_.end() && index != channel && yields[index].empty()) return;
-        refuse(decoded,
-               fmt::format("`{}`: channel {} cannot yield to `{}`", path("yields_to"),
-                           names_[channel], shorten(name)),
-               "a channel may yield to another one of the noise that yields to none");
+        decoder_.report(
+            "E0156", bake_, "yields_to",
+            fmt::format(": channel {} cannot yield to `{}`", names_[channel], shorten(name)),
+            "a channel may yield to another one of the noise that yields to none");
     }
 
     void check_full() const {
@@ -159,10 +147,10 @@ class WeatherMapResolver {
         const auto& most = std::get<std::vector<double>>(*full.value);
         for (std::size_t i = 0; i < std::min(shares.size(), most.size()); ++i) {
             if (most[i] <= shares[i]) continue;
-            refuse(full,
-                   fmt::format("`{}`: {} of a channel cannot be 1 where {} is above 0",
-                               path("full"), most[i], shares[i]),
-                   "`full` is at most `covered`");
+            decoder_.report("E0156", bake_, "full",
+                            fmt::format(": {} of a channel cannot be 1 where {} is above 0",
+                                        most[i], shares[i]),
+                            "`full` is at most `covered`");
             return;
         }
     }
@@ -170,10 +158,10 @@ class WeatherMapResolver {
     void check_directions() const {
         const auto content = choice_of<WeatherContent>(bake_.at("content"));
         if (content != WeatherContent::directions || names_.size() == 3) return;
-        refuse(bake_.at("content"),
-               fmt::format("`{}`: directions need three channels, and the noise has {}",
-                           path("content"), names_.size()),
-               "a noise of type = \"curl\" with the components x, y and z is usual");
+        decoder_.report(
+            "E0156", bake_, "content",
+            fmt::format(": directions need three channels, and the noise has {}", names_.size()),
+            "a noise of type = \"curl\" with the components x, y and z is usual");
     }
 
     DecodedSection& bake_;
@@ -199,8 +187,7 @@ void resolve_weather_map(DecodedSection& bake, const RecipeSoFar& recipe, Decode
     const std::array<int, 3> voxels = {width, height, 1};
     OctaveChecks checks(voxels);
     checks.add(*noise, noise->channels, {.sampling = noise->sampling});
-    const DecodedField& place = bake.at(size.source ? "size" : "noise");
-    checks.report(place.source ? place.source->place : bake.place, decoder);
+    checks.report(bake.place_of("size", "noise"), decoder);
 }
 
 std::vector<Read> reads_of(const Parameters& parameters, const WeatherMapBake& bake) {

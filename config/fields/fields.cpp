@@ -36,6 +36,13 @@ std::vector<std::string_view> path_names(const Section& section) {
     return names;
 }
 
+bool names_fit(std::span<const std::string> names, const Section& section) {
+    return std::ranges::equal(names, path_names(section),
+                              [](const std::string& name, std::string_view wanted) {
+                                  return wanted == "*" || name == wanted;
+                              });
+}
+
 bool applies(const Field& field, std::string_view selector_value) {
     if (field.selector.empty()) return true;
     for (const std::string_view value : field.selected_by) {

@@ -5,7 +5,6 @@
 #pragma once
 
 #include <numbers>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -102,6 +101,9 @@ std::vector<std::string_view> subtables(std::string_view path);
 
 // Returns the names that make up a section's path, `*` among them.
 std::vector<std::string_view> path_names(const Section& section);
+
+// Whether these names make up the section's path; its `*` stands for any name.
+bool names_fit(std::span<const std::string> names, const Section& section);
 
 // Whether the field applies where its selector has this value.
 bool applies(const Field& field, std::string_view selector_value);

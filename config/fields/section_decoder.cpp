@@ -218,6 +218,29 @@ DecodedField& DecodedSection::at(std::string_view key) {
     return const_cast<DecodedField&>(std::as_const(*this).at(key));
 }
 
+const Place& DecodedSection::place_of(std::string_view key, std::string_view other) const {
+    if (const Value* source = at(key).source) return source->place;
+    return other.empty() ? place : place_of(other);
+}
+
+void Decoder::report(std::string_view code, const DecodedSection& section, std::string_view key,
+                     std::string_view says, std::string label) const {
+    std::string message = fmt::format("`{}`{}{}", join_path(section.path, key),
+                                      says.starts_with(':') ? "" : " ", says);
+    const bool is_error = code.starts_with('E');
+    const auto add = is_error ? &DiagnosticList::error : &DiagnosticList::warning;
+    (diagnostics.*add)(std::string(code), section.place_of(key), std::move(message),
+                       std::move(label));
+}
+
+void check_name(const std::string& name, const std::string& path, std::string_view what,
+                const Place& place, Decoder& decoder) {
+    if (is_bare_key(name)) return;
+    decoder.diagnostics.error("E0117", place,
+                              fmt::format("[{}] cannot be the name of {}", shorten(path), what),
+                              "use only letters, digits, `_` and `-`");
+}
+
 DecodedSection decode_section(const Section& section, const std::string& path, const Place& place,
                               const Table& table, Absent absent, Decoder& decoder) {
     SectionReader reader{section, table, absent, decoder, {path, place, {}}};
@@ -232,12 +255,8 @@ const Table& subtable(const Table& table, std::string_view key, const std::strin
     static const Table empty;
     const Entry* entry = find_entry(table, key);
     if (!entry) return empty;
-    if (const Table* found = as_table(entry->value)) return *found;
-    decoder.diagnostics.error("E0103", entry->value.place,
-                              fmt::format("`{}` must be a table, not {}", join_path(path, key),
-                                          shorten(value_to_string(entry->value))),
-                              fmt::format("write [{}] and its keys below", join_path(path, key)));
-    return empty;
+    const Table* found = named_table(*entry, path, decoder);
+    return found ? *found : empty;
 }
 
 const Table* named_table(const Entry& entry, const std::string& path, Decoder& decoder) {
@@ -281,8 +300,7 @@ const std::string* text_of(const DecodedField& decoded) {
 void report_unknown_name(const DecodedSection& section, std::string_view key,
                          std::span<const std::string_view> names, const ReferenceWords& words,
                          Decoder& decoder) {
-    const DecodedField& field = section.at(key);
-    const std::string& name = *text_of(field);
+    const std::string& name = *text_of(section.at(key));
     std::string label = did_you_mean(name, names);
     if (label.empty()) label = what_to_write(words, name);
     if (label.empty() && names.empty()) label = fmt::format("the recipe has no {}", words.section);
@@ -291,10 +309,8 @@ void report_unknown_name(const DecodedSection& section, std::string_view key,
         is_bare_key(name)
             ? std::string(words.section).replace(words.section.find("NAME"), 4, shorten(name))
             : fmt::format("{} `{}`", words.noun, shorten(name));
-    decoder.diagnostics.error(
-        std::string(words.code), field.source ? field.source->place : section.place,
-        fmt::format("`{}`: the recipe has no {}", join_path(section.path, key), wanted),
-        std::move(label));
+    decoder.report(words.code, section, key, fmt::format(": the recipe has no {}", wanted),
+                   std::move(label));
 }
 
 }  // namespace skybake::config

@@ -107,12 +107,20 @@ struct Row {
     }
 };
 
+struct DecodedSection;
+
 // All decoders share this while one recipe is read.
 struct Decoder {
     DiagnosticList& diagnostics;
     std::vector<ResolvedValue>& values;
     bool complete = true;         // false: a source is missing, so no key is reported as missing
     std::optional<int> channels;  // the number of wavelengths, once known
+
+    // Reports a key where it is given, as a warning if the code is one. The message is the key's path
+    // and what is said of it: "is empty" gives "`volumes.a.file` is empty", and ": nothing moves"
+    // needs no space.
+    void report(std::string_view code, const DecodedSection& section, std::string_view key,
+                std::string_view says, std::string label) const;
 };
 
 struct DecodedField {
@@ -131,7 +139,14 @@ struct DecodedSection {
     const DecodedField& at(std::string_view key) const;
     // Returns null if the section has no such field.
     const DecodedField* find(std::string_view key) const;
+    // Returns the place of a key's value, or else of another key's, or of the table's name if neither
+    // is given.
+    const Place& place_of(std::string_view key, std::string_view other = {}) const;
 };
+
+// Reports a name that a table's path cannot end with. `what` is what it would name: "a noise".
+void check_name(const std::string& name, const std::string& path, std::string_view what,
+                const Place& place, Decoder& decoder);
 
 // This says what happens to keys that are not given. They are filled in, and reported where they
 // are required, or they are left out (in layers that are switched off).

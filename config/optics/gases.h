@@ -90,27 +90,4 @@ constexpr double kStandardGravity_m_per_s2 = 9.80665;
 double air_column_per_m2(double pressure_Pa = kStandardPressure_Pa,
                          double gravity_m_per_s2 = kStandardGravity_m_per_s2);
 
-// Oxygen is the share 0.209476 of air (US Standard Atmosphere 1976).
-double oxygen_column_per_m2(double pressure_Pa = kStandardPressure_Pa,
-                            double gravity_m_per_s2 = kStandardGravity_m_per_s2);
-
-// One Dobson unit is 10 um of pure gas at 0 C and 1013.25 hPa: 2.6868e20 molecules per square
-// metre.
-constexpr double kDobsonUnit_per_m2 = 2.686780111e20;
-constexpr double ozone_column_per_m2(double dobson_units) {
-    return dobson_units * kDobsonUnit_per_m2;
-}
-constexpr double kStandardOzone_DU = 300;
-
-// Water vapour: a millimetre of precipitable water is a kilogram per square metre, within 0.1 %.
-double water_vapor_column_per_m2(double kilograms_per_m2);
-constexpr double kStandardWaterVapor_kg_per_m2 = 14.2;  // US standard of AFGL-TR-86-0110
-
-// Nitrogen dioxide: 3e15 per cm^2 is clean air by day, almost all of it in the stratosphere. Cities
-// have up to ten times as much, near the ground.
-constexpr double kStandardNitrogenDioxide_per_m2 = 3e19;
-
-// Returns the column of the gas in the standard atmosphere: the values above.
-double standard_column_per_m2(Gas gas);
-
 }  // namespace skybake::config

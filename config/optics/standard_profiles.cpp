@@ -72,15 +72,6 @@ std::span<const ProfilePoint> standard_profile(Gas gas) {
     return kAirProfile;
 }
 
-double profile_depth_m(std::span<const ProfilePoint> profile) {
-    double depth = 0;
-    for (std::size_t i = 1; i < profile.size(); ++i) {
-        const double thickness = profile[i].altitude_m - profile[i - 1].altitude_m;
-        depth += thickness * (profile[i].relative_density + profile[i - 1].relative_density) / 2;
-    }
-    return depth;
-}
-
 double profile_at(std::span<const ProfilePoint> profile, double altitude_m) {
     assert(altitude_m >= 0);
     return interpolate(profile, &ProfilePoint::altitude_m, &ProfilePoint::relative_density,

@@ -6,7 +6,7 @@
 // water vapour (10, to 20 km), 0.5 % for nitrogen dioxide (13, to 50 km). Each point is a kink to
 // solvers, so that air and ozone have theirs at the same altitudes. The points do not lie on the curves but where the broken line stays within those bounds:
 // ozone at 0 m is 2 % too much. In the last piece of each, where the line goes down to 0, only twice the
-// bounds are held, if at all. Columns are exact, since they are divided by profile_depth_m.
+// bounds are held, if at all. Columns are exact, since those of layers are divided by that of the line.
 #pragma once
 
 #include <span>
@@ -25,10 +25,6 @@ struct ProfilePoint {
 // Returns the points by ascending altitude, the first at 0 m. Oxygen, nitrogen and carbon
 // dioxide are spread as air.
 std::span<const ProfilePoint> standard_profile(Gas gas);
-
-// Returns the integral of the profile over altitude in metres: a column divided by it is the number
-// density where the profile is 1.
-double profile_depth_m(std::span<const ProfilePoint> profile);
 
 // Returns the profile at an altitude >= 0.
 double profile_at(std::span<const ProfilePoint> profile, double altitude_m);

@@ -26,14 +26,6 @@ std::string asset_of(const Table& table, const std::string& name) {
     return asset ? *asset : name;
 }
 
-bool names_fit(const Names& names, const Section& section) {
-    const std::vector<std::string_view> pattern = path_names(section);
-    return std::equal(names.begin(), names.end(), pattern.begin(), pattern.end(),
-                      [](const std::string& name, std::string_view wanted) {
-                          return wanted == "*" || name == wanted;
-                      });
-}
-
 // Returns the section of a table at these names, or null if it has no fields or is unknown.
 const Section* section_of(const Names& names, const Table& table) {
     for (const Section& section : sections()) {

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 #include <initializer_list>
 #include <span>
 #include <utility>
@@ -124,11 +123,9 @@ void check_slab(const DecodedSection& section, Decoder& decoder) {
     const double low = std::get<double>(*bottom.value);
     const double high = std::get<double>(*top.value);
     if (high > low) return;
-    decoder.diagnostics.error(
-        "E0113", top.source->place,
-        fmt::format("`{}` is not above bottom_altitude: {}",
-                    join_path(section.path, "top_altitude"), length_to_string(high)),
-        fmt::format("must be above {}", length_to_string(low)));
+    decoder.report("E0113", section, "top_altitude",
+                   fmt::format("is not above bottom_altitude: {}", length_to_string(high)),
+                   fmt::format("must be above {}", length_to_string(low)));
 }
 
 bool is_switched_off(const Table& table) {
@@ -172,10 +169,8 @@ void leave_out(std::initializer_list<std::string_view> keys, std::string_view of
         DecodedField& decoded = layer.at(key);
         decoded.value.reset();
         if (!decoded.source) continue;
-        decoder.diagnostics.error(
-            "E0139", decoded.source->place,
-            fmt::format("`{}` cannot be given for a layer of {}", join_path(layer.path, key), of),
-            reason);
+        decoder.report("E0139", layer, key, fmt::format("cannot be given for a layer of {}", of),
+                       reason);
     }
 }
 
@@ -275,10 +270,9 @@ void bind_gas(const DecodedSection& section, Decoder& decoder, Layer& layer) {
     layer.gas = amount;
     const DecodedField& phase = section.at("phase");
     if (scatters(amount.gas) && layer.phase != Phase::rayleigh && phase.value) {
-        decoder.diagnostics.error(
-            "E0139", phase.source ? phase.source->place : section.place,
-            fmt::format("`{}` does not fit gas = \"{}\"", join_path(section.path, "phase"),
-                        choice_name(*named.field, amount.gas)),
+        decoder.report(
+            "E0139", section, "phase",
+            fmt::format("does not fit gas = \"{}\"", choice_name(*named.field, amount.gas)),
             "it scatters with phase = \"rayleigh\"");
     }
 }
@@ -367,9 +361,8 @@ void bind_spheres(const DecodedSection& section, const Parameters& recipe, Decod
 }
 
 void report_missing_amount(const DecodedSection& section, Decoder& decoder) {
-    const DecodedField& phase = section.at("phase");
     decoder.diagnostics.error(
-        "E0105", phase.source ? phase.source->place : section.place,
+        "E0105", section.place_of("phase"),
         fmt::format("`{}` is missing: phase mie needs it",
                     join_path(section.path, "number_density")),
         "give a number per volume, such as \"300 /cm3\", or an optical_depth or visibility");
@@ -396,12 +389,9 @@ void bind_aerosol(const DecodedSection& section, Decoder& decoder, Layer& layer)
     if (albedo) {
         law.single_scattering_albedo = albedo->front();
         if (std::ranges::any_of(*albedo, [&](double value) { return value != albedo->front(); })) {
-            const DecodedField& given = section.at("single_scattering_albedo");
-            decoder.diagnostics.error(
-                "E0139", given.source->place,
-                fmt::format("`{}` must be one value for an aerosol",
-                            join_path(section.path, "single_scattering_albedo")),
-                "give one number for all wavelengths, or coefficients for each");
+            decoder.report("E0139", section, "single_scattering_albedo",
+                           "must be one value for an aerosol",
+                           "give one number for all wavelengths, or coefficients for each");
         }
     }
     const DecodedField& depth = section.at("optical_depth");
@@ -420,11 +410,9 @@ void bind_standard_profile(const DecodedSection& section, Decoder& decoder, Laye
         }
         return;
     }
-    const DecodedField& profile = section.at("profile");
-    decoder.diagnostics.error("E0111", profile.source ? profile.source->place : section.place,
-                              fmt::format("`{}` = \"standard\" belongs to a gas, and there is none",
-                                          join_path(section.path, "profile")),
-                              "give the layer a gas, or another profile");
+    decoder.report("E0111", section, "profile",
+                   "= \"standard\" belongs to a gas, and there is none",
+                   "give the layer a gas, or another profile");
 }
 
 // Files carry the extinction of a layer of numbers in place of its albedo. That of an aerosol stands

@@ -20,12 +20,8 @@ std::span<const NoiseChannel> used_channels(const Noise& noise, CloudChannels ch
 }
 
 std::vector<std::string> cloud_channel_names(const Noise* noise, CloudChannels channels) {
-    const bool is_one = noise == nullptr || channels == CloudChannels::density ||
-                        noise->pack != NoisePacking::none || noise->channels.size() <= 1;
-    if (is_one) return {"Y"};
-    std::vector<std::string> names;
-    for (const NoiseChannel& channel : noise->channels) names.push_back(channel.name);
-    return names;
+    if (noise == nullptr || channels == CloudChannels::density) return {"Y"};
+    return channel_names(*noise);
 }
 
 namespace {
@@ -68,9 +64,7 @@ struct CloudReader {
         const DecodedField& file = section.at("file");
         if (!file.source || !file.value) return;
         if (map.file.empty()) {
-            decoder.diagnostics.error("E0110", file.source->place,
-                                      fmt::format("`{}` is empty", join_path(section.path, "file")),
-                                      "give the name of a picture");
+            decoder.report("E0110", section, "file", "is empty", "give the name of a picture");
             return;
         }
         const Source* source = file.source->place.source;
@@ -97,9 +91,7 @@ struct CloudReader {
     }
 
     void report_cells(const DecodedSection& section, std::string what, std::string label) const {
-        decoder.diagnostics.error(
-            "E0110", section.at("cells").source->place,
-            fmt::format("`{}` are {}", join_path(section.path, "cells"), what), std::move(label));
+        decoder.report("E0110", section, "cells", fmt::format("are {}", what), std::move(label));
     }
 
     void check_cells(const DecodedSection& section) const {
@@ -201,11 +193,10 @@ void check_scale(const DecodedSection& section, std::string_view key, const Nois
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const int product = frequency[axis] * scale[axis];  // at most 2^20 * 2^10
         if (product <= most) continue;
-        const DecodedField& decoded = section.at(key);
-        decoder.diagnostics.error(
-            "E0128", decoded.source ? decoded.source->place : section.place,
-            fmt::format("`{}` times frequency {} of noise `{}` is {}", join_path(section.path, key),
-                        frequency[axis], noise->name, product),
+        decoder.report(
+            "E0128", section, key,
+            fmt::format("times frequency {} of noise `{}` is {}", frequency[axis], noise->name,
+                        product),
             fmt::format("at most {} cells per tile are allowed: use a lower scale or fewer octaves",
                         most));
         return;
@@ -226,11 +217,7 @@ void check_noises(const DecodedSection& section, const Cloud& cloud, std::span<c
 Cloud decode_cloud(const std::string& name, const Place& place, const Table& table,
                    const CloudSources& sources, Decoder& decoder) {
     const std::string path = join_path("clouds", name);
-    if (!is_bare_key(name)) {
-        decoder.diagnostics.error("E0117", place,
-                                  fmt::format("[{}] cannot be the name of a cloud", shorten(path)),
-                                  "use only letters, digits, `_` and `-`");
-    }
+    check_name(name, path, "a cloud", place, decoder);
     Cloud cloud;
     cloud.name = name;
     DecodedSection section =

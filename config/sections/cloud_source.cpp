@@ -98,9 +98,8 @@ void resolve_cloud_source(DecodedSection& section, const Table& table, const Clo
     if (volume && !says_all) read_shape(section, *volume, sources, decoder);
     const bool is_at_fault = is_of_volume && decoder.diagnostics.has_errors();
     if (extent.source || extent.value || is_at_fault || !decoder.complete) return;
-    decoder.diagnostics.error("E0105", section.place,
-                              fmt::format("`{}` is missing", join_path(section.path, "extent")),
-                              fmt::format("give {}", extent.field->kind.words));
+    decoder.report("E0105", section, "extent", "is missing",
+                   fmt::format("give {}", extent.field->kind.words));
 }
 
 }  // namespace skybake::config

@@ -65,9 +65,8 @@ void check_frames(const DecodedSection& bake, std::span<const Motion> motions, D
     if (!given.source || !given.value) return;
     const std::string path = join_path(bake.path, given.field->key);
     if (std::ranges::none_of(motions, moves)) {
-        decoder.diagnostics.error(
-            "E0174", given.source->place,
-            fmt::format("`{}`: nothing moves, so that all frames are the same", path),
+        decoder.report(
+            "E0174", bake, given.field->key, ": nothing moves, so that all frames are the same",
             "give a noise of the asset a `period`, or its cloud a `period` and towers with `life`, "
             "or leave this key out");
         return;
@@ -76,10 +75,10 @@ void check_frames(const DecodedSection& bake, std::span<const Motion> motions, D
     const int count = static_cast<int>(std::get<double>(*frames.value));
     for (const Motion& motion : motions) {
         if (!moves(motion) || count % motion.period == 0) continue;
-        decoder.diagnostics.warning("W0219", given.source->place,
-                                    fmt::format("`{}` is {}, but {} repeats after {}", path, count,
-                                                motion.name, motion.period),
-                                    "the last frame does not lead to the first; give whole loops");
+        decoder.report(
+            "W0219", bake, given.field->key,
+            fmt::format("is {}, but {} repeats after {}", count, motion.name, motion.period),
+            "the last frame does not lead to the first; give whole loops");
     }
 }
 

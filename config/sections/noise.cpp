@@ -18,10 +18,6 @@ struct SeriesResolver {
 
     std::string path(std::string_view key) const { return join_path(channel.path, key); }
 
-    Place place(const DecodedField& decoded) const {
-        return decoded.source ? decoded.source->place : channel.place;
-    }
-
     // Returns the number of octaves that `octaves` asks for, or the number of gains if `octaves` is
     // not given.
     std::optional<std::size_t> count() const {
@@ -36,10 +32,8 @@ struct SeriesResolver {
 
     void report_overflow(std::size_t octave, std::int64_t frequency) const {
         const Range& range = channel.at(keys.frequencies).field->range;
-        const DecodedField& octaves = channel.at(keys.octaves);
-        const DecodedField& first = channel.at(keys.frequency);
         decoder.diagnostics.error(
-            "E0128", place(octaves.source ? octaves : first),
+            "E0128", channel.place_of(keys.octaves, keys.frequency),
             fmt::format("octave {} of `{}` has frequency {}", octave + 1, path(keys.frequency),
                         frequency),
             fmt::format(
@@ -135,6 +129,13 @@ bool meets_only_lattice_points(int frequency, int size, bool corners) {
 }
 
 }  // namespace
+
+std::vector<std::string> channel_names(const Noise& noise) {
+    if (noise.pack != NoisePacking::none || noise.channels.size() <= 1) return {"Y"};
+    std::vector<std::string> names;
+    for (const NoiseChannel& channel : noise.channels) names.push_back(channel.name);
+    return names;
+}
 
 NoiseOctaves resolve_octaves(DecodedSection& channel, const OctaveKeys& keys, Decoder& decoder) {
     const SeriesResolver resolver{channel, keys, decoder};

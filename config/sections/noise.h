@@ -89,6 +89,9 @@ struct Noise {
     bool operator==(const Noise&) const = default;
 };
 
+// Returns the names of the channels of a noise in files: Y if it has one, or packs them into one.
+std::vector<std::string> channel_names(const Noise& noise);
+
 // These are the keys that describe one series of octaves in a channel's section.
 struct OctaveKeys {
     std::string_view frequency, octaves, lacunarity, frequencies, gain, gains;

@@ -29,12 +29,10 @@ void report_idle_warp(const DecodedSection& section, Decoder& decoder) {
     if (section.at("warp_strength").source || !decoder.complete) return;
     for (const DecodedField& decoded : section.fields) {
         if (!decoded.source || !decoded.field->key.starts_with("warp_")) continue;
-        decoder.diagnostics.error(
-            "E0111", decoded.source->place,
-            fmt::format("`{}` belongs to {}, and there is none",
-                        join_path(section.path, decoded.field->key),
-                        join_path(section.path, "warp_strength")),
-            fmt::format("give warp_strength, or leave {} out", decoded.field->key));
+        decoder.report("E0111", section, decoded.field->key,
+                       fmt::format("belongs to {}, and there is none",
+                                   join_path(section.path, "warp_strength")),
+                       fmt::format("give warp_strength, or leave {} out", decoded.field->key));
     }
 }
 
@@ -134,11 +132,10 @@ void check_packing(const DecodedSection& section, const std::string& set, Decode
     if (packing == NoisePacking::none) return;
     const std::string wanted = packing == NoisePacking::shape ? "RGBA" : "RGB";
     if (set == wanted) return;
-    decoder.diagnostics.error(
-        "E0129", pack.source->place,
-        fmt::format("`{}` packs channels {}, but the noise has {}", join_path(section.path, "pack"),
-                    fmt::join(wanted, ", "), fmt::join(set, ", ")),
-        fmt::format("expected {}", fmt::join(wanted, ", ")));
+    decoder.report("E0129", section, "pack",
+                   fmt::format("packs channels {}, but the noise has {}", fmt::join(wanted, ", "),
+                               fmt::join(set, ", ")),
+                   fmt::format("expected {}", fmt::join(wanted, ", ")));
 }
 
 std::vector<NoiseChannel> decode_channels(const DecodedSection& section, const Table& table,
@@ -173,11 +170,7 @@ std::vector<NoiseChannel> decode_channels(const DecodedSection& section, const T
 Noise decode_noise(const std::string& name, const Place& place, const Table& table,
                    Decoder& decoder) {
     const std::string path = join_path("noise", name);
-    if (!is_bare_key(name)) {
-        decoder.diagnostics.error("E0117", place,
-                                  fmt::format("[{}] cannot be the name of a noise", shorten(path)),
-                                  "use only letters, digits, `_` and `-`");
-    }
+    check_name(name, path, "a noise", place, decoder);
     const DecodedSection section =
         decode_section(*find_section("noise.*"), path, place, table, Absent::filled_in, decoder);
     append_values(section, decoder);

@@ -22,16 +22,12 @@ constexpr double least_contrast = 1e-6;
 
 void check_material(const DecodedSection& section, const Particles& particles,
                     std::span<const Length> wavelengths, Decoder& decoder) {
-    const auto place_of = [&](std::string_view key) {
-        const Value* source = section.at(key).source;
-        return source ? source->place : section.place;
-    };
     if (particles.material == ParticleMaterial::constant) {
         const double real = particles.refractive_index - 1;
         const double imaginary = particles.absorption_index;
         if (real * real + imaginary * imaginary >= least_contrast * least_contrast) return;
         decoder.diagnostics.error(
-            "E0144", place_of("refractive_index"),
+            "E0144", section.place_of("refractive_index"),
             fmt::format("[{}] scatters no light: its refractive index is that of air",
                         section.path),
             "give a refractive_index other than 1, or an absorption_index above 0");
@@ -42,7 +38,7 @@ void check_material(const DecodedSection& section, const Particles& particles,
         if (range.contains(wavelength)) continue;
         const bool is_water = particles.material == ParticleMaterial::water;
         decoder.diagnostics.error(
-            "E0144", place_of(is_water ? "material" : "indices"),
+            "E0144", section.place_of(is_water ? "material" : "indices"),
             fmt::format("[{}]: the refractive index{} is not known at {}", section.path,
                         is_water ? " of water" : "", wavelength_to_string(wavelength.meters)),
             fmt::format(
@@ -57,12 +53,9 @@ void check_radii(const DecodedSection& section, const Particles& particles, Deco
     const double smallest = particles.smallest_radius.meters;
     const double largest = particles.largest_radius.meters;
     if (!(largest > 0) || largest > smallest) return;
-    const Value* source = section.at("largest_radius").source;
-    decoder.diagnostics.error(
-        "E0113", source ? source->place : section.place,
-        fmt::format("`{}` is not above smallest_radius: {}",
-                    join_path(section.path, "largest_radius"), length_to_string(largest)),
-        fmt::format("must be above {}", length_to_string(smallest)));
+    decoder.report("E0113", section, "largest_radius",
+                   fmt::format("is not above smallest_radius: {}", length_to_string(largest)),
+                   fmt::format("must be above {}", length_to_string(smallest)));
 }
 
 constexpr Range sphere_radius_range{1e-10, 0.1};
@@ -153,11 +146,7 @@ const ParticlesField particles_table[] = {
 Particles decode_particles(const std::string& name, const Place& place, const Table& table,
                            std::span<const Length> wavelengths, Decoder& decoder) {
     const std::string path = join_path("particles", name);
-    if (!is_bare_key(name)) {
-        decoder.diagnostics.error(
-            "E0117", place, fmt::format("[{}] cannot be the name of particles", shorten(path)),
-            "use only letters, digits, `_` and `-`");
-    }
+    check_name(name, path, "particles", place, decoder);
     const DecodedSection section = decode_section(*find_section("particles.*"), path, place, table,
                                                   Absent::filled_in, decoder);
     append_values(section, decoder);

@@ -92,10 +92,8 @@ void check_life(const DecodedSection& section, const TowerLife& tower, const Clo
     if (life.source && life.value) {
         const std::string fault = fault_of_life(tower, cloud);
         if (fault.empty()) return;
-        decoder.diagnostics.error(
-            "E0182", life.source->place,
-            fmt::format("`{}` is no life within a loop", join_path(section.path, "life")),
-            fault + "; [0.4, 0.3, 0.3] is one");
+        decoder.report("E0182", section, "life", "is no life within a loop",
+                       fault + "; [0.4, 0.3, 0.3] is one");
         return;
     }
     if (cloud.period == 0 || (is_whole(cloud.drift[0]) && is_whole(cloud.drift[1]))) return;

@@ -22,24 +22,13 @@ struct VolumeDecoder {
 
     bool gives(std::string_view key) const { return section.at(key).source != nullptr; }
 
-    Place place_of(std::string_view key) const {
-        const Value* source = section.at(key).source;
-        return source ? source->place : section.place;
-    }
-
-    void report(const char* code, std::string_view key, std::string_view what,
-                std::string label) const {
-        decoder.diagnostics.error(code, place_of(key),
-                                  fmt::format("`{}` {}", join_path(section.path, key), what),
-                                  std::move(label));
-    }
-
     // Files are looked for where includes are: in the folder of the recipe that names them.
     void resolve_path() const {
         const DecodedField& file = section.at("file");
         if (!file.source || !file.value) return;
         if (volume.file.empty()) {
-            return report("E0110", "file", "is empty", "give the name of a volume's file");
+            return decoder.report("E0110", section, "file", "is empty",
+                                  "give the name of a volume's file");
         }
         const Source* source = file.source->place.source;
         const std::filesystem::path folder = source ? source->folder : std::filesystem::path();
@@ -50,8 +39,9 @@ struct VolumeDecoder {
     void check_pair(std::string_view first, std::string_view second) const {
         if (gives(first) == gives(second) || !decoder.complete) return;
         const std::string_view missing = gives(first) ? second : first;
-        report("E0105", gives(first) ? first : second, fmt::format("needs {} beside it", missing),
-               fmt::format("give {}, or leave both out", missing));
+        decoder.report("E0105", section, gives(first) ? first : second,
+                       fmt::format("needs {} beside it", missing),
+                       fmt::format("give {}, or leave both out", missing));
     }
 
     // Each length is above 0, where the key is given at all.
@@ -59,7 +49,8 @@ struct VolumeDecoder {
         const auto is_positive = [](Length length) { return length.meters > 0; };
         if (!section.at(key).value) return;
         if (std::ranges::all_of(lengths, is_positive)) return;
-        report("E0110", key, "has a length that is not above 0", "give three lengths above 0");
+        decoder.report("E0110", section, key, "has a length that is not above 0",
+                       "give three lengths above 0");
     }
 
     void check_keys() const {
@@ -71,11 +62,9 @@ struct VolumeDecoder {
             volume.format == VolumeFormat::vdb || volume.format == VolumeFormat::nvdb;
         const bool says_size = is_grid || gives("voxel_size");
         if (says_size || !decoder.complete) return;
-        decoder.diagnostics.error(
-            "E0105", section.place,
-            fmt::format("`{}` is missing: these files do not say how large a voxel is",
-                        join_path(section.path, "voxel_size")),
-            "give three lengths, such as [\"10 m\", \"10 m\", \"10 m\"]");
+        decoder.report("E0105", section, "voxel_size",
+                       "is missing: these files do not say how large a voxel is",
+                       "give three lengths, such as [\"10 m\", \"10 m\", \"10 m\"]");
     }
 };
 
@@ -97,7 +86,7 @@ VolumeFile decode_volume(const std::string& name, const Place& place, const Tabl
     const VolumeDecoder reader{section, volume, decoder};
     reader.resolve_path();
     reader.check_keys();
-    file_place = reader.place_of("file");
+    file_place = section.place_of("file");
     return volume;
 }
 

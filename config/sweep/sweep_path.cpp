@@ -15,13 +15,6 @@ using Names = std::vector<std::string>;
 
 bool is_of_sweep(const Section& section) { return section.path.starts_with("sweep"); }
 
-bool names_fit(const Names& names, const std::vector<std::string_view>& pattern) {
-    return std::equal(names.begin(), names.end(), pattern.begin(), pattern.end(),
-                      [](const std::string& name, std::string_view wanted) {
-                          return wanted == "*" || name == wanted;
-                      });
-}
-
 // Returns the table at these names, or null if there is none.
 const Table* table_at(const Table& root, const Names& names, std::size_t count) {
     const Table* table = &root;
@@ -42,7 +35,7 @@ std::string asset_of(const Table* table, const std::string& name) {
 // Returns the section of the recipe's table at these names, or null if no table can be there.
 const Section* section_at(const Table& root, const Names& names) {
     for (const Section& section : sections()) {
-        if (is_of_sweep(section) || !names_fit(names, path_names(section))) continue;
+        if (is_of_sweep(section) || !names_fit(names, section)) continue;
         if (section.asset.empty()) return &section;
         return find_section(section.path,
                             asset_of(table_at(root, names, names.size()), names.back()));

@@ -265,6 +265,16 @@ std::optional<TextPosition> find_deep_nesting(std::string_view text, int limit) 
     return std::nullopt;
 }
 
+std::vector<std::string_view> pieces_between_commas(std::string_view list) {
+    std::vector<std::string_view> pieces;
+    for (std::size_t at = 0; at <= list.size();) {
+        const std::size_t comma = std::min(list.find(',', at), list.size());
+        pieces.push_back(list.substr(at, comma - at));
+        at = comma + 1;
+    }
+    return pieces;
+}
+
 TextPosition text_position(std::string_view text, std::size_t offset) {
     TextPosition position{1, 1};
     for (const char c : text.substr(0, offset)) {

@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 namespace skybake::config {
 
@@ -60,6 +61,9 @@ std::variant<std::string, FileError> read_text_file(const std::filesystem::path&
 std::variant<std::string, FileError> read_standard_input(std::size_t most_bytes);
 
 std::string without_byte_order_mark(std::string text);
+
+// Returns the pieces of a list between its commas, including empty ones.
+std::vector<std::string_view> pieces_between_commas(std::string_view list);
 
 // This is a position in a text.
 struct TextPosition {

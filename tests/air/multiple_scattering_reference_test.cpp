@@ -4,8 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "bakers/assets/multiple_scattering/multiple_scattering_kernel.h"
 #include "tests/support/atmospheres.h"
 

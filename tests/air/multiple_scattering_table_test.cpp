@@ -4,11 +4,10 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "bakers/assets/registry/registry.h"
 #include "bakers/field/interpolation.h"
 #include "tests/support/atmospheres.h"
+#include "tests/support/outcomes.h"
 
 namespace skybake {
 namespace {
@@ -25,11 +24,7 @@ config::Outcome<Baked> try_bake(const std::string& section,
 
 Baked bake(const std::string& section, const std::string& preset = "earth_hillaire",
            int threads = 2) {
-    const auto outcome = try_bake(section, preset, threads);
-    for (const auto& diagnostic : outcome.diagnostics) {
-        if (diagnostic.severity == config::Severity::error) ADD_FAILURE() << diagnostic.message;
-    }
-    return outcome.value.value_or(Baked{});
+    return test::without_errors(try_bake(section, preset, threads));
 }
 
 TEST(MultipleScatteringTable, HoldsItsTexelErrorForEachPreset) {

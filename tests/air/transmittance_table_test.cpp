@@ -10,6 +10,7 @@
 #include "bakers/assets/registry/registry.h"
 #include "bakers/field/interpolation.h"
 #include "tests/support/atmospheres.h"
+#include "tests/support/outcomes.h"
 
 namespace skybake {
 namespace {
@@ -18,11 +19,7 @@ Baked bake(const std::string& section, const std::string& preset = "earth_hillai
            BakeOptions options = {1, Certification::quick, nullptr}) {
     const config::Recipe recipe = test::recipe_of(
         "preset = \"" + preset + "\"\n[bake.table]\nasset = \"transmittance\"\n" + section);
-    const auto outcome = bake_asset(recipe, recipe.parameters.bakes.at(0), options);
-    for (const auto& diagnostic : outcome.diagnostics) {
-        if (diagnostic.severity == config::Severity::error) ADD_FAILURE() << diagnostic.message;
-    }
-    return outcome.value.value_or(Baked{});
+    return test::without_errors(bake_asset(recipe, recipe.parameters.bakes.at(0), options));
 }
 
 TEST(TransmittanceTable, FirstRowIsTheGroundAndFirstColumnStraightUp) {

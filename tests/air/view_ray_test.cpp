@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "bakers/air/optical_depth.h"
 #include "bakers/math/quadrature.h"
 #include "bakers/math/transcendental.h"

@@ -7,11 +7,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstdio>
 #include <string>
 #include <vector>
 
-#include "bakers/air/optical_depth.h"
 #include "bakers/air/ray.h"
 #include "bakers/air/transmittance_mapping.h"
 #include "bakers/assets/multiple_scattering/multiple_scattering_as_in_paper.h"

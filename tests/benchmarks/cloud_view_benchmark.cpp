@@ -12,8 +12,8 @@
 #include "bakers/math/memory.h"
 #include "bakers/preview/bake_assets.h"
 #include "bakers/render/cloud_framing.h"
-#include "bakers/render/cloud_view.h"
 #include "config/recipe/recipe.h"
+#include "tests/support/cloud_marches.h"
 
 namespace skybake {
 namespace {
@@ -22,7 +22,7 @@ struct Scene {
     SkyMedium air;
     SkyTables tables;
     CloudMedium cloud;
-    CloudViewSettings settings;
+    MarchSettings settings;
 };
 
 Scene make_scene(const std::string& preset) {
@@ -47,7 +47,7 @@ Scene make_scene(const std::string& preset) {
     scene.cloud = cloud_medium(parameters.clouds.front(),
                                assets.of_kind("cloud_volume")->voxels.data(), {256, 256, 64}, 1, 0);
     scene.cloud.leaps = leaps_of_voxels(scene.cloud, 4, 0);
-    scene.settings = framed_view(scene.cloud, {20, 105}, 960, 540);
+    scene.settings = {framed_view(scene.cloud, {20, 105}, 960, 540)};
     return scene;
 }
 
@@ -60,7 +60,7 @@ const Scene& scene_of(const std::string& preset) {
 
 void march(benchmark::State& state, const std::string& preset, bool leaping, int threads) {
     const Scene& scene = scene_of(preset);
-    CloudViewSettings settings = scene.settings;
+    MarchSettings settings = scene.settings;
     settings.leaping = leaping;
     FetchCounts fetches;
     for (auto _ : state) {

@@ -8,7 +8,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-#include <cstring>
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -42,17 +42,9 @@ class HeldVoxels : public VoxelSource {
         }
     }
     void fill(const VoxelBox& box, const std::vector<float*>& channels) const override {
-        for (float* out : channels) {
-            if (out == nullptr) continue;
-            for (int z = box.origin[2]; z < box.origin[2] + box.size[2]; ++z) {
-                for (int y = box.origin[1]; y < box.origin[1] + box.size[1]; ++y) {
-                    const auto row = static_cast<std::size_t>((z * edge + y) * edge);
-                    std::memcpy(out, &values_[row + static_cast<std::size_t>(box.origin[0])],
-                                static_cast<std::size_t>(box.size[0]) * sizeof(float));
-                    out += box.size[0];
-                }
-            }
-        }
+        fill_rows(box, channels, [&](std::size_t, int y, int z, float* out) {
+            std::copy_n(values_.begin() + (z * edge + y) * edge + box.origin[0], box.size[0], out);
+        });
     }
     const std::vector<float>& values() const { return values_; }
 

@@ -13,7 +13,6 @@
 #include <tbb/global_control.h>
 
 #include <cmath>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -21,15 +20,15 @@
 #include <vector>
 
 #include "bakers/field/baked.h"
+#include "bakers/field/voxel_array.h"
 #include "bakers/io/formats/vdb/vdb_file.h"
 #include "bakers/math/memory.h"
-#include "bakers/math/parallel.h"
+#include "tests/support/volumes.h"
 
 namespace skybake {
 namespace {
 
 constexpr int size = 512;
-constexpr std::size_t row = size;
 const VoxelBox whole = {{}, {size, size, size}};
 
 // Balls on a lattice, whose density falls off towards their rim.
@@ -42,40 +41,12 @@ float ball_density(int x, int y, int z) {
 }
 
 // The voxels in memory, so that making them takes no time worth speaking of.
-class Balls : public VoxelSource {
-  public:
-    Balls() : values_(static_cast<std::size_t>(whole.count())) {
-        parallel_for(size, 0, [&](int z) {
-            float* out = values_.data() + static_cast<std::size_t>(z) * row * row;
-            for (int y = 0; y < size; ++y) {
-                for (int x = 0; x < size; ++x) *out++ = ball_density(x, y, z);
-            }
-        });
-    }
-
-    void fill(const VoxelBox& box, const std::vector<float*>& channels) const override {
-        float* out = channels[0];
-        for (int z = box.origin[2]; z < box.origin[2] + box.size[2]; ++z) {
-            for (int y = box.origin[1]; y < box.origin[1] + box.size[1]; ++y) {
-                const auto at =
-                    (static_cast<std::size_t>(z) * row + static_cast<std::size_t>(y)) * row +
-                    static_cast<std::size_t>(box.origin[0]);
-                const auto width = static_cast<std::size_t>(box.size[0]);
-                std::memcpy(out, values_.data() + at, width * sizeof(float));
-                out += width;
-            }
-        }
-    }
-
-    const std::vector<float>& values() const { return values_; }
-
-  private:
-    std::vector<float> values_;  // [z][y][x]
-};
-
-std::shared_ptr<const Balls> balls() {
-    static const auto source = std::make_shared<const Balls>();
-    return source;
+std::shared_ptr<const VoxelArray> balls() {
+    const testing::FunctionVoxels source(
+        [](int x, int y, int z, int) { return ball_density(x, y, z); });
+    static const auto array =
+        std::make_shared<const VoxelArray>(read_voxels(source, whole.size, 1, {}, "balls"));
+    return array;
 }
 
 Baked volume_of_balls() {
@@ -95,7 +66,7 @@ openvdb::FloatGrid::Ptr grid_of_balls() {
     openvdb::initialize();
     const openvdb::CoordBBox box(openvdb::Coord(0), openvdb::Coord(size - 1));
     const openvdb::tools::Dense<const float, openvdb::tools::LayoutXYZ> dense(
-        box, balls()->values().data());
+        box, balls()->channel(0).data());
     openvdb::FloatGrid::Ptr grid = openvdb::FloatGrid::create(0.0F);
     openvdb::tools::copyFromDense(dense, *grid, 0.0F);
     grid->setName("density");

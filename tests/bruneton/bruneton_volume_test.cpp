@@ -16,6 +16,7 @@
 #include "config/assets/bruneton.h"
 #include "tests/io/files.h"
 #include "tests/light/sky_media.h"
+#include "tests/support/outcomes.h"
 #include "tests/support/sky_truth.h"
 #include "tests/support/volumes.h"
 
@@ -34,10 +35,8 @@ Baked baked(const std::string& preset, const std::string& keys, int threads = 2)
     BakeOptions options{.threads = threads, .certification = Certification::off};
     Baked volume;
     volume.name = "a";
-    const auto outcome = bake_bruneton({{test::preset_atmosphere(preset)}}, bake_of(preset, keys),
-                                       options, std::move(volume));
-    for (const auto& diagnostic : outcome.diagnostics) ADD_FAILURE() << diagnostic.message;
-    return outcome.value.value_or(Baked{});
+    return test::without_diagnostics(bake_bruneton(
+        {{test::preset_atmosphere(preset)}}, bake_of(preset, keys), options, std::move(volume)));
 }
 
 constexpr const char* kSmall = "size = [16, 8, 4]\nnu_size = 4\npixel_type = \"float\"\n";

@@ -45,11 +45,4 @@ inline Baked empty_table() {
     return table;
 }
 
-inline Baked value_of(config::Outcome<Baked> outcome) {
-    for (const config::Diagnostic& diagnostic : outcome.diagnostics) {
-        if (diagnostic.severity == config::Severity::error) ADD_FAILURE() << diagnostic.message;
-    }
-    return std::move(outcome.value).value();
-}
-
 }  // namespace skybake::test

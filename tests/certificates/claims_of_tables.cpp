@@ -1,6 +1,4 @@
 #include <array>
-#include <memory>
-#include <string>
 #include <vector>
 
 #include "bakers/air/particles/layer_phase.h"
@@ -19,6 +17,7 @@
 #include "tests/certificates/claims.h"
 #include "tests/certificates/dense_table.h"
 #include "tests/light/sky_media.h"
+#include "tests/support/outcomes.h"
 
 namespace skybake::test {
 namespace {
@@ -30,7 +29,7 @@ Baked as_fine_as_possible(Asset& asset, const Bake& bake) {
     config::Outcome<Baked> outcome = bake();
     if (outcome.value) return std::move(*outcome.value);
     asset.max_texel_error = 0.5;
-    return value_of(bake());
+    return test::without_errors(bake());
 }
 
 ValueRow kernel_row(const TableModel& model, int level) {
@@ -96,7 +95,8 @@ Claim claim_of_transmittance(RandomCase& random) {
     bake.mapping = static_cast<config::TransmittanceMapping>(random.below(2));
     bake.content = static_cast<config::TransmittanceContent>(random.below(2));
     bake.pixel_type = config::PixelType::float32;
-    const Baked table = value_of(bake_transmittance(medium, bake, kClaimOptions, empty_table()));
+    const Baked table =
+        test::without_errors(bake_transmittance(medium, bake, kClaimOptions, empty_table()));
     const TableModel model = transmittance_model(medium, bake);
     return claim_of(model, table, kernel_row(model, 0), {1024, 1}, random);
 }
@@ -120,8 +120,8 @@ Claim claim_of_solved_scattering(RandomCase& random) {
     bake.size = {random.even(12, 64), random.even(8, 64)};
     bake.mapping = static_cast<config::MultipleScatteringMapping>(random.below(2));
     bake.pixel_type = config::PixelType::float32;
-    const Baked table =
-        value_of(bake_solved_scattering(atmosphere, {}, bake, kClaimOptions, empty_table()));
+    const Baked table = test::without_errors(
+        bake_solved_scattering(atmosphere, {}, bake, kClaimOptions, empty_table()));
     const SkyMedium medium = make_sky_medium(atmosphere);
     const SolvedLight light = solve_light(medium, finer({}), kClaimOptions.threads);
     const SunColumns columns = sun_columns(bake.mapping, {}, shell_of(medium.air));
@@ -143,7 +143,7 @@ Claim claim_of_sky_view(RandomCase& random) {
     auto bake = at.bake<config::SkyViewBake>();
     bake.sun_elevations = {at.sun_elevation};
     return at.claim(
-        value_of(bake_sky_view(at.sky.light(), bake, kClaimOptions, empty_table())),
+        test::without_errors(bake_sky_view(at.sky.light(), bake, kClaimOptions, empty_table())),
         [](const auto&... of) { return sky_view_model(of...); }, random);
 }
 
@@ -152,7 +152,7 @@ Claim claim_of_environment(RandomCase& random) {
     auto bake = at.bake<config::EnvironmentBake>();
     bake.sun_elevation = at.sun_elevation;
     return at.claim(
-        value_of(bake_environment(at.sky.light(), bake, kClaimOptions, empty_table())),
+        test::without_errors(bake_environment(at.sky.light(), bake, kClaimOptions, empty_table())),
         [](const auto&... of) { return environment_model(of...); }, random);
 }
 
@@ -183,7 +183,8 @@ Claim claim_of_phase(RandomCase& random) {
     bake.content = static_cast<config::PhaseContent>(random.below(2));
     bake.spacing = static_cast<config::PhaseSpacing>(1 + random.below(3));
     bake.pixel_type = config::PixelType::float32;
-    const Baked table = value_of(bake_phase(parameters, bake, kClaimOptions, empty_table()));
+    const Baked table =
+        test::without_errors(bake_phase(parameters, bake, kClaimOptions, empty_table()));
     const PhaseSource source = phase_source(parameters, bake, kClaimOptions.threads);
     const TableModel model = bake.content == config::PhaseContent::phase
                                  ? phase_model(source, bake.spacing)

@@ -11,6 +11,7 @@
 #include "tests/certificates/claims.h"
 #include "tests/certificates/dense_scattering.h"
 #include "tests/light/sky_media.h"
+#include "tests/support/outcomes.h"
 
 namespace skybake::test {
 namespace {
@@ -56,7 +57,7 @@ Claim claim_of_single_mie(RandomCase& random) {
     bake.solar_irradiance = {1, 1, 1};
     bake.pixel_type = config::PixelType::float32;
     const SkyMedium medium = make_sky_medium(atmosphere);
-    const Baked volume = value_of(
+    const Baked volume = test::without_errors(
         bake_scattering({{atmosphere, medium, nullptr}}, {}, bake, kClaimOptions, empty_table()));
     const auto& table = static_cast<const VoxelArray&>(*volume.levels[0].voxels);
     const ScatteringContent content(medium, bake);
@@ -90,8 +91,8 @@ Claim claim_of_aerial_perspective(RandomCase& random) {
     bake.view_distance = {thickness_m * random.log_uniform(0.1, 3)};
     bake.slices = static_cast<config::SliceSpacing>(random.below(2));
     bake.pixel_type = config::PixelType::float32;
-    const Baked volume =
-        value_of(bake_aerial_perspective(sky.light(), bake, kClaimOptions, empty_table()));
+    const Baked volume = test::without_errors(
+        bake_aerial_perspective(sky.light(), bake, kClaimOptions, empty_table()));
     const AerialCamera camera(bake, sky.light().shell());
     const VolumeReference exact = [&](const std::array<double, 3>& uvw) {
         const SkyRadiance at = aerial_perspective(sky.light(), camera, uvw[0], uvw[1],
@@ -118,7 +119,8 @@ Claim claim_of_optical_depth(RandomCase& random) {
     if (to_top || between) bake.size[1] = random.even(16, 32);
     if (between) bake.size[2] = random.even(8, 16);
     bake.pixel_type = config::PixelType::float32;
-    const Baked volume = value_of(bake_columns(atmosphere, bake, kClaimOptions, empty_table()));
+    const Baked volume =
+        test::without_errors(bake_columns(atmosphere, bake, kClaimOptions, empty_table()));
     const ColumnVoxels measured = column_voxels(atmosphere, bake);
     return claim_of_volume(volume, measured.reference, measured.comparison, 1024, random);
 }

@@ -12,7 +12,6 @@
 #include <functional>
 #include <numeric>
 #include <set>
-#include <utility>
 #include <vector>
 
 #include "bakers/field/certify.h"

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <random>
 #include <string>
-#include <vector>
 
 #include "config/sections/atmosphere.h"
 #include "config/sections/layer.h"

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <memory>
 #include <string>
@@ -13,6 +12,7 @@
 
 #include "bakers/assets/registry/registry.h"
 #include "bakers/assets/sky/sky_comparison.h"
+#include "bakers/field/voxel_array.h"
 #include "bakers/light/sky_view_mapping.h"
 #include "config/assets/sky_view.h"
 #include "tests/certificates/random_cases.h"
@@ -65,34 +65,6 @@ Baked baked_from(const config::Recipe& recipe) {
     return std::move(outcome.value).value();
 }
 
-// Voxels in memory, per channel.
-class HeldVoxels : public VoxelSource {
-  public:
-    HeldVoxels(std::array<int, 3> size, std::vector<std::vector<float>> values)
-        : size_(size), values_(std::move(values)) {}
-
-    void fill(const VoxelBox& box, const std::vector<float*>& channels) const override {
-        for (std::size_t c = 0; c < channels.size(); ++c) {
-            float* to = channels[c];
-            for (int z = 0; to != nullptr && z < box.size[2]; ++z) {
-                for (int y = 0; y < box.size[1]; ++y) {
-                    const auto row = (static_cast<std::size_t>(box.origin[2] + z) *
-                                          static_cast<std::size_t>(size_[1]) +
-                                      static_cast<std::size_t>(box.origin[1] + y)) *
-                                     static_cast<std::size_t>(size_[0]);
-                    const float* from =
-                        values_[c].data() + row + static_cast<std::size_t>(box.origin[0]);
-                    to = std::copy_n(from, box.size[0], to);
-                }
-            }
-        }
-    }
-
-  private:
-    std::array<int, 3> size_;
-    std::vector<std::vector<float>> values_;
-};
-
 // Returns the damaged value at a voxel. It reads values of the right file.
 using Damage = std::function<float(const std::function<float(int x, int y, int z)>& right,
                                    const std::array<int, 3>& size, int x, int y, int z)>;
@@ -119,7 +91,7 @@ Baked damaged(Baked baked, const Damage& damage) {
         }
     }
     if (!baked.is_table()) {
-        level.voxels = std::make_shared<const HeldVoxels>(level.size, std::move(wrong));
+        level.voxels = std::make_shared<const VoxelArray>(level.size, std::move(wrong));
         return baked;
     }
     Image2<float> image(level.size[0], level.size[1], static_cast<int>(channels));

@@ -34,7 +34,7 @@ expect "--set" show earth.toml --set
 expect "quick full off" bake earth.toml --certify ""
 expect "full" bake --certify = fu
 expect "quick full off" sweep --certify =
-expect "slurm" sweep --emit sl
+expect "commands" sweep --emit c
 expect "auto always" --color a
 expect "atmosphere.ground_radius= atmosphere.ground_albedo=" bake earth.toml --set atmosphere.ground_
 expect "bake.transmittance.size=" show earth.toml --set bake.transmittance.si

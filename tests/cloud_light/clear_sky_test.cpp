@@ -16,6 +16,7 @@
 #include "bakers/light/sky_light.h"
 #include "config/recipe/recipe.h"
 #include "tests/cloud_light/layers.h"
+#include "tests/support/outcomes.h"
 
 namespace skybake::cloud_light {
 namespace {
@@ -39,9 +40,7 @@ std::string recipe_text(const std::string& air, const std::string& elevation,
 }
 
 config::Recipe recipe_of(const std::string& text) {
-    auto recipe = config::parse_recipe(text, "clear_sky");
-    EXPECT_TRUE(recipe.value) << (recipe.diagnostics.empty() ? "" : recipe.diagnostics[0].message);
-    return *std::move(recipe.value);
+    return test::without_errors(config::parse_recipe(text, "clear_sky"));
 }
 
 const std::string kEarth = "preset = 'earth_hillaire'\n";
@@ -160,11 +159,8 @@ TEST(ClearSky, IsBrightestNextToTheSun) {
 
 Baked baked(const std::string& text, int threads) {
     const config::Recipe recipe = recipe_of(text);
-    const auto outcome =
-        bake_asset(recipe, recipe.parameters.bakes[1], {threads, Certification::quick});
-    EXPECT_TRUE(outcome.value) << (outcome.diagnostics.empty() ? ""
-                                                               : outcome.diagnostics[0].message);
-    return *outcome.value;
+    return test::without_errors(
+        bake_asset(recipe, recipe.parameters.bakes[1], {threads, Certification::quick}));
 }
 
 // Bakes all wavelengths, and colours; certificates measure against paths under the same sky.

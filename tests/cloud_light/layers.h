@@ -1,7 +1,6 @@
 // Layers of cloud for tests, held in memory.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 

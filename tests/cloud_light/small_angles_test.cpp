@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <glm/geometric.hpp>
 #include <numbers>
-#include <utility>
 #include <vector>
 
 #include "bakers/assets/forward_scattering/forward_table.h"

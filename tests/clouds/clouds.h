@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <utility>
-#include <vector>
 
 #include "bakers/clouds/cloud_field.h"
 #include "bakers/clouds/cloud_plan.h"

@@ -56,11 +56,39 @@ TEST(CloudDecoder, ReadsEveryKey) {
         "factor = 2, clamp = true, filter = 'nearest', color_space = 'srgb' }\n"
         "[[clouds.c.towers]]\ncenter = [0.2, -3]\nsigma = [0.03, 0.06]\nrotation = '180 deg'\n"
         "correlation = -0.5\namplitude = 0.4\n");
-    EXPECT_EQ(
-        testing::to_string(cloud),
-        "c n [4, 5, 1] d [16, 16, 16] [0, 0.95] 1 | 1000 2000 500 | -1200 0.05 0.35 0 1 1 0 0\n"
-        "5 50 4 1 0:0 0.25:2\nmaps/../a.png a.png R 1 0 1 2 true\n   0 1 0 1 false\n"
-        "0 [0.2, -3] [0.03, 0.06] 3.141592653589793 -0.5 0.4");
+    Cloud expected;
+    expected.name = "c";
+    expected.noise = "n";
+    expected.noise_scale = {4, 5, 1};
+    expected.detail = "d";
+    expected.detail_scale = {16, 16, 16};
+    expected.erosion = {0, 0.95};
+    expected.wisp_height = 1;
+    expected.extent = {{{1000}, {2000}, {500}}};
+    expected.base_altitude = {-1200};
+    expected.height_profile = {HeightProfileType::tabulated, 50, 4, 1, {{0, 0}, {0.25, 2}}};
+    expected.coverage = 0.05;
+    expected.coverage_map = {"maps/../a.png",
+                             "a.png",
+                             "R",
+                             MapWrap::clamp,
+                             MapFilter::nearest,
+                             MapColorSpace::srgb,
+                             2,
+                             true,
+                             {},
+                             {}};
+    expected.threshold = 0.35;
+    expected.threshold_at = ThresholdAt::runtime;
+    expected.channels = CloudChannels::noise;
+    Tower& tower = expected.towers.emplace_back();
+    tower.name = "0";
+    tower.center = {0.2, -3};
+    tower.sigma = {0.03, 0.06};
+    tower.rotation = {3.141592653589793};
+    tower.correlation = -0.5;
+    tower.amplitude = 0.4;
+    EXPECT_TRUE(testing::without_places(cloud) == expected);
     const Cloud blended = cloud_of(
         "height_profile = { type = 'blended', cloud_type = 0.5 }\ntype_map = { file = 't.png' }\n");
     EXPECT_EQ(blended.height_profile.cloud_type, 0.5);

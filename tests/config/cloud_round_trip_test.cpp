@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <algorithm>
+
 #include "config/assets/assets.h"
 #include "config/presets/presets.h"
 #include "tests/config/clouds.h"
@@ -18,12 +20,11 @@ std::string to_string(const Bake& bake) {
     return bake.name + " " + text;
 }
 
-std::string to_string(const Parameters& parameters) {
-    std::string text;
-    for (const Noise& noise : parameters.noises) text += testing::to_string(noise) + "\n";
-    for (const Cloud& cloud : parameters.clouds) text += testing::to_string(cloud) + "\n";
-    for (const Bake& bake : parameters.bakes) text += to_string(bake) + "\n";
-    return text;
+bool are_equal(const Parameters& one, const Parameters& other) {
+    return one.noises == other.noises &&
+           std::ranges::equal(one.clouds, other.clouds, {}, testing::without_places,
+                              testing::without_places) &&
+           std::ranges::equal(one.bakes, other.bakes, {}, to_string, to_string);
 }
 
 bool coin() { return *rc::gen::arbitrary<bool>(); }
@@ -193,7 +194,7 @@ TEST(CloudRoundTrip, ParametersAreARecipeOfTheSameCloud) {
         const std::string carried = all_parameters(*once.value);
         const Outcome<Recipe> twice = parse(carried);
         RC_ASSERT(twice.value.has_value());
-        RC_ASSERT(to_string(twice.value->parameters) == to_string(once.value->parameters));
+        RC_ASSERT(are_equal(twice.value->parameters, once.value->parameters));
         RC_ASSERT(all_parameters(*twice.value) == carried);
     }));
 }
@@ -207,8 +208,7 @@ TEST(CloudRoundTrip, PresetsAreSpelledOut) {
             "'\n[bake.c]\nasset = 'cloud_volume'\ncloud = 'c'\nsize = [512, 512, 256]\n");
         const std::string carried = all_parameters(recipe);
         EXPECT_EQ(carried.find("preset"), std::string::npos);
-        EXPECT_EQ(to_string(testing::valid_with_warnings(carried).parameters),
-                  to_string(recipe.parameters));
+        EXPECT_TRUE(are_equal(testing::valid_with_warnings(carried).parameters, recipe.parameters));
     }
 }
 

@@ -1,4 +1,4 @@
-// Shared by the tests of clouds: recipes of one cloud, and a spelling that tells clouds apart.
+// Shared by the tests of clouds: recipes of one cloud, and a spelling that tells bakes of it apart.
 #pragma once
 
 #include <fmt/format.h>
@@ -24,58 +24,12 @@ inline Cloud cloud_of(const std::string& keys, const std::vector<std::string>& s
     return recipe.parameters.clouds.size() == 1 ? recipe.parameters.clouds[0] : Cloud{};
 }
 
-inline std::string to_string(const HeightProfile& profile) {
-    std::string text =
-        fmt::format("{} {} {} {}", static_cast<int>(profile.type), profile.bottom_sharpness,
-                    profile.top_falloff, profile.cloud_type);
-    for (const HeightPoint& point : profile.table)
-        text += fmt::format(" {}:{}", point.height, point.value);
-    return text;
-}
-
-inline std::string to_string(const CloudMap& map) {
-    return fmt::format("{} {} {} {} {} {} {} {}", map.file, map.path.string(), map.channel,
-                       static_cast<int>(map.wrap), static_cast<int>(map.filter),
-                       static_cast<int>(map.color_space), map.factor, map.clamp);
-}
-
-inline std::string to_string(const Tower& tower) {
-    return fmt::format("{} {} {} {} {} {}", tower.name, tower.center, tower.sigma,
-                       tower.rotation.radians, tower.correlation, tower.amplitude);
-}
-
-inline std::string to_string(const Convection& air) {
-    return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {}", air.cells,
-                       air.mixed_layer.meters, air.inversion.meters, air.instability,
-                       air.temperature, air.humidity, air.wind, air.wind_above, air.patches,
-                       air.patch_width[0].meters, air.patch_width[1].meters, air.warmth, air.seed,
-                       air.minutes, air.relief);
-}
-
-// Every member, so that equal texts mean equal clouds.
-inline std::string to_string(const Cloud& cloud) {
-    std::string text = fmt::format(
-        "{} {} {} {} {} {} {} | {} {} {} | {} {} {} {} {} {} {} {}", cloud.name, cloud.noise,
-        cloud.noise_scale, cloud.detail, cloud.detail_scale, cloud.erosion, cloud.wisp_height,
-        cloud.extent[0].meters, cloud.extent[1].meters, cloud.extent[2].meters,
-        cloud.base_altitude.meters, cloud.coverage, cloud.threshold, cloud.edge_softness,
-        static_cast<int>(cloud.threshold_at), static_cast<int>(cloud.channels),
-        cloud.extinction_scale.per_meter, cloud.full_at.value_or(0));
-    text += "\n" + to_string(cloud.height_profile) + "\n" + to_string(cloud.coverage_map) + "\n" +
-            to_string(cloud.type_map);
-    if (cloud.shape == CloudShape::convection) text += "\n" + to_string(cloud.convection);
-    for (const Tower& tower : cloud.towers) text += "\n" + to_string(tower);
-    return text;
-}
-
-inline std::string to_string(const AssetFiles& files) {
-    std::string text =
-        fmt::format("{} {} {} {} {} {}", static_cast<int>(files.pixel_type),
-                    static_cast<int>(files.layout), files.columns, files.mips,
-                    static_cast<int>(files.compression), static_cast<int>(files.vdb_compression));
-    for (const FileFormat format : files.formats)
-        text += fmt::format(" {}", static_cast<int>(format));
-    return text;
+// Returns the cloud without the places of its maps in the text of its recipe.
+inline Cloud without_places(Cloud cloud) {
+    for (CloudMap* map : {&cloud.coverage_map, &cloud.type_map}) {
+        map->file_place = map->channel_place = {};
+    }
+    return cloud;
 }
 
 inline std::string to_string(const CloudVolumeBake& bake) {

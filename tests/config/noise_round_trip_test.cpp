@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <algorithm>
+
 #include "config/assets/noise_volume.h"
 #include "config/presets/presets.h"
 #include "tests/config/noises.h"
@@ -16,13 +18,19 @@ std::string parameters_of(const Recipe& recipe) {
     return parameters_toml(recipe, patterns);
 }
 
-std::string to_string(const Parameters& parameters) {
-    std::string text;
-    for (const Noise& noise : parameters.noises) text += testing::to_string(noise) + "\n";
-    for (const Bake& bake : parameters.bakes) {
-        text += bake.name + " " + testing::to_string(bake.as<NoiseVolumeBake>()) + "\n";
-    }
-    return text;
+// `aliases` only quietens a warning, so that no file carries it.
+Noise without_aliases(Noise noise) {
+    noise.aliases = false;
+    return noise;
+}
+
+bool are_equal(const Parameters& one, const Parameters& other) {
+    const auto bake_text = [](const Parameters& parameters) {
+        const Bake& bake = parameters.bakes.at(0);
+        return bake.name + " " + testing::to_string(bake.as<NoiseVolumeBake>());
+    };
+    return std::ranges::equal(one.noises, other.noises, {}, without_aliases, without_aliases) &&
+           bake_text(one) == bake_text(other);
 }
 
 template <class... Names>
@@ -135,7 +143,7 @@ TEST(NoiseRoundTrip, ParametersAreARecipeOfTheSameNoise) {
         const std::string carried = parameters_of(*once.value);
         const Outcome<Recipe> twice = parse(carried);
         RC_ASSERT(twice.value.has_value());
-        RC_ASSERT(to_string(twice.value->parameters) == to_string(once.value->parameters));
+        RC_ASSERT(are_equal(twice.value->parameters, once.value->parameters));
         RC_ASSERT(parameters_of(*twice.value) == carried);
     }));
     EXPECT_GT(whole, 60);
@@ -148,8 +156,7 @@ TEST(NoiseRoundTrip, PresetsAreSpelledOut) {
             "'\n[bake.shape]\nasset = 'noise_volume'\nnoise = 'shape'\n");
         const std::string carried = parameters_of(recipe);
         EXPECT_EQ(carried.find("preset"), std::string::npos);
-        EXPECT_EQ(to_string(testing::valid_with_warnings(carried).parameters),
-                  to_string(recipe.parameters));
+        EXPECT_TRUE(are_equal(testing::valid_with_warnings(carried).parameters, recipe.parameters));
     }
 }
 

@@ -3,14 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <fstream>
 #include <iterator>
 
 #include "config/assets/multiple_scattering.h"
-#include "config/optics/standard_profiles.h"
 #include "config/sections/atmosphere.h"
 #include "tests/config/recipes.h"
+#include "tests/optics/columns.h"
 
 namespace skybake::config {
 namespace {

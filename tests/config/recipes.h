@@ -8,6 +8,7 @@
 
 #include "config/recipe/recipe.h"
 #include "config/sections/layer.h"
+#include "tests/support/outcomes.h"
 #include "tests/support/temporary_folder.h"
 
 namespace skybake::config::testing {
@@ -31,22 +32,12 @@ inline std::vector<std::string> codes_and_places(const std::vector<Diagnostic>& 
 
 // The recipe of a text that must be without fault.
 inline Recipe valid(const std::string& text, const std::vector<std::string>& settings = {}) {
-    Outcome<Recipe> outcome = parse(text, settings);
-    for (const Diagnostic& diagnostic : outcome.diagnostics) {
-        ADD_FAILURE() << diagnostic.code << ": " << diagnostic.message;
-    }
-    return outcome.value ? std::move(*outcome.value) : Recipe{};
+    return test::without_diagnostics(parse(text, settings));
 }
 
 // The same for a text that may earn warnings.
 inline Recipe valid_with_warnings(const std::string& text) {
-    Outcome<Recipe> outcome = parse(text);
-    for (const Diagnostic& diagnostic : outcome.diagnostics) {
-        if (diagnostic.severity == Severity::error) {
-            ADD_FAILURE() << diagnostic.code << ": " << diagnostic.message;
-        }
-    }
-    return outcome.value ? std::move(*outcome.value) : Recipe{};
+    return test::without_errors(parse(text));
 }
 
 // The resolved value at a path; an empty one, and a failure, if there is none.

@@ -3,6 +3,7 @@
 
 #include "config/sections/atmosphere.h"
 #include "tests/config/noises.h"
+#include "tests/support/outcomes.h"
 
 namespace skybake::config {
 namespace {
@@ -22,11 +23,7 @@ const std::string afgl =
     "    0.000  1013.  288.2  2.547e+19  6.800e+11\n";
 
 Recipe loaded(const TemporaryFolder& folder, const std::string& text) {
-    const auto outcome = load_recipe(folder.write("r.toml", text));
-    for (const Diagnostic& diagnostic : outcome.diagnostics) {
-        ADD_FAILURE() << diagnostic.code << ": " << diagnostic.message << " " << diagnostic.label;
-    }
-    return outcome.value ? std::move(*outcome.value) : Recipe{};
+    return test::without_diagnostics(load_recipe(folder.write("r.toml", text)));
 }
 
 std::vector<DensityPoint> table_of(const Recipe& recipe) {

@@ -6,7 +6,6 @@
 #include <clocale>
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <numbers>
 
 namespace skybake::config {
@@ -138,12 +137,14 @@ TEST(Units, NamesUnitsOfADimension) {
     for (const char* name : {"mi", "dm", "Mm", "MM", "ft", "hm", "um2"}) {
         EXPECT_FALSE(unit_meant(name, Dimension::length)) << name;
     }
-    for (const Dimension dimension : {Dimension::length, Dimension::inverse_length, Dimension::pressure,
-                                      Dimension::number_density, Dimension::column_density}) {
+    for (const Dimension dimension :
+         {Dimension::length, Dimension::inverse_length, Dimension::pressure,
+          Dimension::number_density, Dimension::column_density}) {
         for (const std::string_view one : unit_spellings(dimension)) {
             const auto meant = unit_meant(one, dimension);
             if (!meant) continue;
-            EXPECT_EQ(value_of("1 " + std::string(*meant)), value_of("1 " + std::string(one))) << one;
+            EXPECT_EQ(value_of("1 " + std::string(*meant)), value_of("1 " + std::string(one)))
+                << one;
         }
     }
     EXPECT_TRUE(unit_names(Dimension::number).empty());

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <span>
-#include <stdexcept>
 #include <utility>
 
 #include "bakers/assets/cloud_light/march_light.h"
@@ -13,21 +12,15 @@
 #include "tests/environment/maps.h"
 #include "tests/light/sky_media.h"
 #include "tests/support/cloud_view_reference.h"
+#include "tests/support/outcomes.h"
 
 namespace skybake {
 namespace {
 
 using config::EnvironmentBake;
-using config::EnvironmentMapping;
-using config::SkyOrders;
+using test::earth;
 using test::kDegree;
 using test::kPi;
-using test::TestSky;
-
-const TestSky& earth() {
-    static const TestSky sky(test::preset_atmosphere("earth_hillaire"), SkyOrders::all);
-    return sky;
-}
 
 // A layer of 4 x 4 km from 1 to 2 km whose voxels are a function of their place, in shares of it.
 template <class Density>
@@ -68,10 +61,8 @@ Baked baked(const EnvironmentBake& bake, Media media,
     Baked table;
     table.name = "around";
     table.channel_names = {"R", "G", "B"};
-    auto outcome = bake_environment(
-        earth().light(), bake, {.threads = threads, .certification = certification}, table, media);
-    if (!outcome.value) throw std::runtime_error(outcome.diagnostics.front().message);
-    return std::move(*outcome.value);
+    return test::without_errors(bake_environment(
+        earth().light(), bake, {.threads = threads, .certification = certification}, table, media));
 }
 
 double uneven(double x, double y, double z) {
@@ -183,7 +174,7 @@ TEST(EnvironmentClouds, AreTheMeansOfSlowMarches) {
     bake.samples = 8;
     const EnvironmentLayout layout(bake.mapping, bake.size);
     const CloudsAround clouds(only(medium), bake, layout, true, {.threads = 1});
-    CloudViewSettings settings;
+    MarchSettings settings;
     settings.sun = {35, -30};
     settings.reach_m = clouds.reach_m();
     const cloud_light::MarchLight within(medium, cloud_light::kCellsOfPicture, {.threads = 1});

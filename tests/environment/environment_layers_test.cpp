@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
 
 #include "bakers/assets/cloud_light/march_light.h"
@@ -13,21 +12,16 @@
 #include "tests/environment/maps.h"
 #include "tests/light/sky_media.h"
 #include "tests/preview/clouds.h"
+#include "tests/support/outcomes.h"
 #include "tests/support/scene_reference.h"
 
 namespace skybake {
 namespace {
 
 using config::EnvironmentBake;
-using config::SkyOrders;
+using test::earth;
 using test::kDegree;
 using test::kPi;
-using test::TestSky;
-
-const TestSky& earth() {
-    static const TestSky sky(test::preset_atmosphere("earth_hillaire"), SkyOrders::all);
-    return sky;
-}
 
 CloudMedium medium_of(const std::array<double, 3>& extent_m, double base_m,
                       const std::array<int, 3>& size, const std::vector<float>& voxels,
@@ -69,10 +63,8 @@ Baked baked(const EnvironmentBake& bake, std::span<const CloudMedium> media,
     Baked table;
     table.name = "around";
     table.channel_names = {"R", "G", "B"};
-    auto outcome = bake_environment(earth().light(), bake,
-                                    {.threads = 1, .certification = certification}, table, media);
-    if (!outcome.value) throw std::runtime_error(outcome.diagnostics.front().message);
-    return std::move(*outcome.value);
+    return test::without_errors(bake_environment(
+        earth().light(), bake, {.threads = 1, .certification = certification}, table, media));
 }
 
 double greatest_difference(const Baked& a, const Baked& b) {

@@ -2,9 +2,6 @@
 // itself, from the light that the air has.
 #include <gtest/gtest.h>
 
-#include <stdexcept>
-#include <utility>
-
 #include "bakers/assets/environment/environment_clouds.h"
 #include "bakers/assets/environment/environment_table.h"
 #include "bakers/field/baked.h"
@@ -19,7 +16,6 @@ namespace {
 using config::EnvironmentBake;
 using config::SkyOrders;
 using test::kDegree;
-using test::kPi;
 using test::TestSky;
 
 // Haze that dims a cloud some kilometres away by a third.

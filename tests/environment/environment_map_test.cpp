@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <stdexcept>
 #include <utility>
 
 #include "bakers/assets/environment/environment_lights.h"
@@ -13,16 +12,16 @@
 #include "bakers/light/sky_irradiance.h"
 #include "tests/environment/maps.h"
 #include "tests/light/sky_media.h"
+#include "tests/support/outcomes.h"
 
 namespace skybake {
 namespace {
 
 using config::EnvironmentBake;
 using config::EnvironmentMapping;
-using config::SkyOrders;
+using test::earth;
 using test::kDegree;
 using test::kPi;
-using test::TestSky;
 
 EnvironmentBake bake_of(EnvironmentMapping mapping, std::array<int, 2> size, double sun) {
     EnvironmentBake bake;
@@ -37,15 +36,8 @@ Baked baked(const SkyLight& light, const EnvironmentBake& bake,
     Baked table;
     table.name = "around";
     table.channel_names = {"R", "G", "B"};
-    auto outcome =
-        bake_environment(light, bake, {.threads = 1, .certification = certification}, table);
-    if (!outcome.value) throw std::runtime_error(outcome.diagnostics.front().message);
-    return std::move(*outcome.value);
-}
-
-const TestSky& earth() {
-    static const TestSky sky(test::preset_atmosphere("earth_hillaire"), SkyOrders::all);
-    return sky;
+    return test::without_errors(
+        bake_environment(light, bake, {.threads = 1, .certification = certification}, table));
 }
 
 const std::vector<EnvironmentBake>& maps_of_one_sky() {

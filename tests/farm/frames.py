@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Frames as an axis of a sweep, by what --emit prints for an engine: each frame is made once, by one task, and its
-texels are byte for byte those of one bake of the whole sequence.
+"""Frames as an axis of a sweep, by what examples/farm/ makes of its tasks for an engine: each frame is made once, by
+one task, and its texels are byte for byte those of one bake of the whole sequence.
 
   frames.py PROGRAM FOLDER ENGINE     ENGINE: commands, ninja, openjd, kubernetes, slurm
 
@@ -19,6 +19,7 @@ from pathlib import Path
 
 FRAMES = 6
 TASKS = 4
+FARM = Path(__file__).resolve().parents[2] / "examples/farm"
 RECIPE = """
 [noise.n]
 period = 6
@@ -56,35 +57,46 @@ def skip(reason):
 # --- Engines --------------------------------------------------------------------------------------
 
 
-def commands_of(text, _):
-    return [["sh", "-c", line] for line in text.splitlines()]
+def commands_of(tasks, _):
+    return [["sh", "-c", line] for line in tasks.read_text().splitlines()]
 
 
-def ninja_of(text, folder):
+def ninja_of(tasks, folder):
     if not shutil.which("ninja"):
         skip("there is no ninja")
     file = folder / "build.ninja"
-    file.write_text(text)
-    stamps = [line.removeprefix("build ").split(":")[0].split() for line in text.splitlines()
-              if line.startswith("build ") and ": task " in line]
-    return [["ninja", "-f", str(file), *names] for names in stamps]
+    file.write_text(run(["sh", str(FARM / "ninja.sh"), str(tasks)]))
+    return [["ninja", "-f", str(file), name] for name in (*(f"task{i + 1}" for i in range(TASKS)), "index")]
 
 
-def openjd_of(text, _):
-    step = json.loads(text)["steps"][0]
-    parameter = step["parameterSpace"]["taskParameterDefinitions"][0]
+def openjd_of(tasks, _):
+    job = json.loads(run([sys.executable, str(FARM / "openjd.py"), str(tasks)]))
+    bake, merge = job["steps"]
+    assert merge["dependencies"] == [{"dependsOn": bake["name"]}]
+    parameter = bake["parameterSpace"]["taskParameterDefinitions"][0]
     first, last = map(int, parameter["range"].split("-"))
-    action = step["script"]["actions"]["onRun"]
     mark = "{{Task.Param." + parameter["name"] + "}}"
-    return [[action["command"], *(one.replace(mark, str(value)) for one in action["args"])]
-            for value in range(first, last + 1)]
+
+    def command(step, value):
+        action = step["script"]["actions"]["onRun"]
+        return [action["command"], *(one.replace(mark, str(value)) for one in action["args"])]
+
+    return [*(command(bake, value) for value in range(first, last + 1)), command(merge, 0)]
 
 
-def kubernetes_of(text, _):
-    spec = json.loads(text)["spec"]
+def expanded(word):
+    """A word of a container's command as Kubernetes hands it on: $$ is $, and an unknown $(NAME) stays."""
+    assert "$(" not in word.replace("$$", ""), "Kubernetes would replace a name"
+    return word.replace("$$", "$")
+
+
+def kubernetes_of(tasks, _):
+    spec = json.loads(run([sys.executable, str(FARM / "kubernetes.py"), "registry/skybake", str(tasks)]))["spec"]
     assert spec["completionMode"] == "Indexed"
     container = spec["template"]["spec"]["containers"][0]
-    return [["env", f"JOB_COMPLETION_INDEX={index}", *container["command"]] for index in range(spec["completions"])]
+    assert [mount["mountPath"] for mount in container["volumeMounts"]] == [str(tasks.parent)]
+    command = [expanded(word) for word in container["command"]]
+    return [["env", f"JOB_COMPLETION_INDEX={index}", *command] for index in range(spec["completions"])]
 
 
 ENGINES = {"commands": commands_of, "ninja": ninja_of, "openjd": openjd_of, "kubernetes": kubernetes_of}
@@ -107,8 +119,8 @@ def run_tasks(tasks, folder, program):
     return made
 
 
-def run_on_slurm(text):
-    run(["bash", "-s"], input=text)
+def run_on_slurm(tasks):
+    run(["bash", str(FARM / "slurm.sh"), str(tasks)])
     while run(["squeue", "--noheader"]).strip():
         time.sleep(0.2)
     jobs = run(["scontrol", "show", "job"])
@@ -166,6 +178,21 @@ def spoilt(folder, how):
     return copy
 
 
+def faults_of_ninja_after_a_failure(folder, sweep):
+    """A variant that cannot be made fails the merge, which still writes the index."""
+    first = sorted(sweep.glob("*_frame=*"))[0]
+    shutil.rmtree(first)
+    first.write_text("in the way")
+    (sweep / "index.jsonl").unlink()
+    done = subprocess.run(["ninja", "-f", str(folder / "build.ninja")], stdout=subprocess.PIPE, text=True)
+    faults = [] if done.returncode else ["ninja does not tell of a variant that failed"]
+    if "FAILED: index" not in done.stdout:
+        faults.append("what failed was not the merge")
+    if not (sweep / "index.jsonl").exists():
+        faults.append("a variant that fails keeps the index from being written")
+    return faults
+
+
 def main():
     program, work, engine = os.path.abspath(sys.argv[1]), Path(sys.argv[2]).resolve(), sys.argv[3]
     folder = work / f"frames_{engine}"
@@ -173,24 +200,27 @@ def main():
     folder.mkdir(parents=True)
     (folder / "moving.toml").write_text(RECIPE)
     (folder / "whole.toml").write_text(f"{RECIPE}frames = {FRAMES}\n")
-    home, sweep = folder / "home", folder / "sweep"
+    home, sweep = folder / "home", folder / "a $(HOME) $$sweep"
     run([program, "bake", str(folder / "whole.toml"), "-o", str(home), "-q"])
     arguments = [program, "sweep", str(folder / "moving.toml"), "--vary", f"bake.c.frame=1:{FRAMES}:{FRAMES}",
                  "-o", str(sweep)]
-    image = ["--image", "registry/skybake"] if engine == "kubernetes" else []
-    text = run([*arguments, "--emit", engine, "--tasks", str(TASKS), *image, "-q"])
+    tasks = folder / "it's $tasks"
+    tasks.write_text(run([*arguments, "--emit", "commands", "--tasks", str(TASKS), "-q"]))
     if engine == "slurm":
-        run_on_slurm(text)
+        run_on_slurm(tasks)
     else:
-        made = run_tasks(ENGINES[engine](text, folder), sweep, program)
-        assert len(made) == TASKS and all(made), f"the tasks made {made}"
+        made = run_tasks(ENGINES[engine](tasks, folder), sweep, program)
         once = sorted(name for names in made for name in names)
+        assert all(made[:TASKS]), f"the tasks made {made}"
         assert len(once) == FRAMES and len(set(once)) == FRAMES, f"not each frame was made once: {made}"
-        run([*arguments, "--merge", "-q"])
+        if engine not in ("ninja", "openjd"):  # which merge themselves
+            run([*arguments, "--merge", "-q"])
     faults = faults_of(sweep, home)
     for how in ("exchanged", "zeros", "missing", "twice"):
         if not faults_of(spoilt(sweep, how), home):
             faults.append(f"frames that are {how} pass")
+    if engine == "ninja":
+        faults += faults_of_ninja_after_a_failure(folder, sweep)
     if faults:
         print("\n".join(faults))
         sys.exit(1)

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Holds the job that --emit kubernetes prints to the schema that Kubernetes publishes, and sees three
+# Holds the job that examples/farm/kubernetes.py prints to the schema that Kubernetes publishes, and sees three
 # spoilt jobs refused.
 #   kubernetes.sh PROGRAM FOLDER
 set -euo pipefail
@@ -17,6 +17,7 @@ if ! cmp -s "$here/package-lock.json" "$folder/installed.json"; then
     cp "$here/package-lock.json" "$folder/installed.json"
 fi
 "$program" sweep "$here/../../examples/earth.toml" --vary atmosphere.ground_albedo=0.1,0.2 \
-    -o "$folder/sweep" --emit kubernetes --image registry/skybake -j 3 -q >"$folder/job.json"
+    -o "$folder/sweep" --emit commands -j 3 -q >"$folder/tasks"
+python3 "$here/../../examples/farm/kubernetes.py" registry/skybake "$folder/tasks" >"$folder/job.json"
 cp "$here/kubernetes_job.mjs" "$folder"  # beside the packages that it imports
 exec node "$folder/kubernetes_job.mjs" "$folder/job.json"

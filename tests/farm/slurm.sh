@@ -3,7 +3,8 @@
 # that this machine makes by itself, but for the wall times in manifests.
 #
 #   slurm.sh SKYBAKE     exit code 77, skipped, where Slurm or munge is not installed
-source "$(dirname "$0")/slurm_farm.sh"
+here=$(cd "$(dirname "$0")" && pwd)
+source "$here/slurm_farm.sh"
 
 # --- The sweep ------------------------------------------------------------------------------------
 
@@ -20,8 +21,8 @@ max_texel_error = "0.02 %"
 "atmosphere.ground_albedo" = [0.1, 0.3, 0.5]
 "atmosphere.layers.mie.scale_height" = { from = "1.2 km", to = "4.8 km", count = 4, scale = "log" }
 RECIPE
-"$skybake" sweep sky.toml -o farm --emit slurm >submit.sh
-bash submit.sh >jobs
+"$skybake" sweep sky.toml -o farm --emit commands >commands
+bash "$here/../../examples/farm/slurm.sh" commands >jobs
 cat jobs
 tasks=$(sed -n 's/^tasks //p' jobs)
 

@@ -15,7 +15,6 @@
 #include "bakers/field/bc4.h"
 #include "bakers/field/bc6h.h"
 #include "bakers/field/block_voxels.h"
-#include "bakers/field/pixel_type.h"
 #include "bakers/field/survey_volume.h"
 #include "bakers/math/half_conversion.h"
 #include "tests/support/volumes.h"

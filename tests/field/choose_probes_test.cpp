@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tests/field/readable_texture.h"
+
 namespace skybake {
 namespace {
 
@@ -16,7 +18,7 @@ Image2<float> spot(int x, int y, int edge = 16) {
 }
 
 ProbedTexture texture_of(const Image2<float>& image) {
-    return {readable_texture(image), 2, config::PixelType::float32, {1}};
+    return {testing::readable_texture(image), 2, config::PixelType::float32, {1}};
 }
 
 // Places where the spot is seen from `from` on only; else where nothing is.

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bakers/field/pixel_type.h"
 #include "bakers/field/survey_volume.h"
 #include "tests/field/looked_up.h"
 #include "tests/support/volumes.h"

@@ -14,7 +14,6 @@
 namespace skybake {
 namespace {
 
-using testing::FunctionVoxels;
 using testing::plain_volume;
 using Ranges = std::vector<std::array<double, 2>>;
 

@@ -4,8 +4,6 @@
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
-#include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "bakers/math/quadrature.h"

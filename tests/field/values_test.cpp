@@ -7,6 +7,7 @@
 #include "bakers/field/pixel_type.h"
 #include "bakers/math/facts.h"
 #include "bakers/math/hash.h"
+#include "tests/field/readable_texture.h"
 
 namespace skybake {
 namespace {
@@ -75,7 +76,8 @@ TEST(ProbeValue, AllowsForFilteringInTwoHundredAndFiftySixths) {
     for (std::size_t i = 0; i < image.texels.size(); ++i) {
         image.texels[i] = static_cast<float>(i * i);
     }
-    const ProbedTexture texture = {readable_texture(image), 2, config::PixelType::float32, {225}};
+    const ProbedTexture texture = {
+        testing::readable_texture(image), 2, config::PixelType::float32, {225}};
     for (double u = 0.05; u < 1; u += 0.09) {
         for (double v = 0.05; v < 1; v += 0.13) {
             const ProbeValue probe = probe_value(texture, {{{u, v, 0.5}}});

@@ -2,9 +2,7 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "config/assets/aerial_perspective.h"

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "config/recipe/recipe.h"
 #include "config/sections/layer.h"

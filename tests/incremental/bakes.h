@@ -9,17 +9,13 @@
 
 #include "bakers/workspace/bake_folder.h"
 #include "tests/io/files.h"
+#include "tests/support/outcomes.h"
 
 namespace skybake::testing {
 
 inline config::Recipe recipe_of(const std::string& text, const std::filesystem::path& folder = {},
                                 const std::vector<std::string>& settings = {}) {
-    auto recipe = config::parse_recipe(text, "recipe.toml", folder, settings);
-    EXPECT_TRUE(recipe.value.has_value());
-    for (const config::Diagnostic& diagnostic : recipe.diagnostics) {
-        if (diagnostic.severity == config::Severity::error) ADD_FAILURE() << diagnostic.message;
-    }
-    return recipe.value.value_or(config::Recipe{});
+    return test::without_errors(config::parse_recipe(text, "recipe.toml", folder, settings));
 }
 
 // Two tables that bake in milliseconds, and a noise.

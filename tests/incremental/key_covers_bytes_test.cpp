@@ -15,8 +15,6 @@
 #include <set>
 
 #include "bakers/assets/registry/registry.h"
-#include "bakers/field/pixel_type.h"
-#include "bakers/math/hash.h"
 #include "bakers/workspace/folder_plan.h"
 #include "config/fields/fields.h"
 #include "config/text/key_path.h"

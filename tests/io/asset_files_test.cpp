@@ -14,7 +14,6 @@
 #include <functional>
 
 #include "bakers/io/files/output_folder.h"
-#include "bakers/io/formats/exr/exr_file.h"
 #include "bakers/io/manifest/metadata.h"
 #include "bakers/math/hash.h"
 #include "config/assets/noise_volume.h"

@@ -6,14 +6,10 @@
 #include <fstream>
 #include <functional>
 #include <span>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "bakers/field/pixel_type.h"
 #include "bakers/io/formats/vdb/vdb_file.h"
 #include "bakers/io/formats/vdb/vdb_source.h"
-#include "bakers/io/volumes/grid_files.h"
 #include "tests/support/volumes.h"
 
 namespace skybake::testing {

@@ -2,7 +2,6 @@
 
 #include <set>
 
-#include "bakers/io/manifest/metadata.h"
 #include "bakers/math/hash.h"
 #include "tests/io/files.h"
 

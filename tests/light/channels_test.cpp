@@ -13,6 +13,7 @@
 #include "bakers/assets/registry/registry.h"
 #include "bakers/light/higher_orders.h"
 #include "tests/support/atmospheres.h"
+#include "tests/support/outcomes.h"
 #include "tests/support/volumes.h"
 
 namespace skybake {
@@ -103,12 +104,8 @@ Values values_of(const Baked& volume) {
 }
 
 Values baked(const config::Recipe& recipe, const config::Bake& bake) {
-    const auto outcome = bake_asset(recipe, bake, {.certification = Certification::off});
-    for (const config::Diagnostic& diagnostic : outcome.diagnostics) {
-        if (diagnostic.severity == config::Severity::error) ADD_FAILURE() << diagnostic.message;
-    }
-    if (!outcome.value) return {};
-    return values_of(*outcome.value);
+    return values_of(
+        test::without_errors(bake_asset(recipe, bake, {.certification = Certification::off})));
 }
 
 // Where the values of channel c of the straight order stand in the turned one.

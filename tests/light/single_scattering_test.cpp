@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "bakers/assets/irradiance/irradiance_table.h"
-#include "bakers/light/sky_irradiance.h"
 #include "bakers/light/sky_radiance.h"
 #include "config/assets/sky_view.h"
 #include "tests/light/single_scattering_reference.h"
@@ -19,7 +18,6 @@
 namespace skybake {
 namespace {
 
-using config::SkyOrders;
 using test::kDegree;
 
 constexpr double kRadius = 6360;

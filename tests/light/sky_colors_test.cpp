@@ -20,7 +20,6 @@
 #include <vector>
 
 #include "bakers/assets/description/glsl_lookup.h"
-#include "bakers/assets/registry/registry.h"
 #include "bakers/color/spectral_color.h"
 #include "bakers/light/sky_spectra.h"
 #include "bakers/math/hash.h"

@@ -86,4 +86,14 @@ class TestSky {
     SkyLight light_;
 };
 
+inline const TestSky& earth() {
+    static const TestSky sky(preset_atmosphere("earth_hillaire"), config::SkyOrders::all);
+    return sky;
+}
+
+inline SkyMedium preset_sky(const std::string& name,
+                            const std::vector<std::string>& settings = {}) {
+    return make_sky_medium(preset_atmosphere(name, settings));
+}
+
 }  // namespace skybake::test

@@ -3,12 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "bakers/assets/registry/registry.h"
 #include "bakers/field/interpolation.h"
 #include "bakers/light/solver/solved_light.h"
 #include "tests/support/atmospheres.h"
+#include "tests/support/outcomes.h"
 
 namespace skybake {
 namespace {
@@ -24,11 +23,7 @@ config::Outcome<Baked> bake(const std::string& settings,
 }
 
 Baked table_of(const std::string& settings, Certification certification = Certification::off) {
-    config::Outcome<Baked> outcome = bake(settings, certification);
-    for (const config::Diagnostic& diagnostic : outcome.diagnostics) {
-        if (diagnostic.severity == config::Severity::error) ADD_FAILURE() << diagnostic.message;
-    }
-    return outcome.value.value_or(Baked{});
+    return test::without_errors(bake(settings, certification));
 }
 
 TEST(SolvedScatteringTable, IsDropIn) {

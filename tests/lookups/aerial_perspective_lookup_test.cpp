@@ -76,9 +76,7 @@ TEST(AerialPerspectiveLookup, FloatLosesLittle) {
                              "slices = 'linear'\ncontent = 'in_scatter'\n"}) {
         SCOPED_TRACE(keys);
         const AerialTrial trial(keys);
-        test::Dice dice;
-        test::Loss loss;
-        for (int i = 0; i < test::kPlaces; ++i) {
+        const test::Loss lost = test::loss_at_places([&](test::Dice& dice, test::Loss& loss) {
             const gpu::vec2 picture(dice.uniform(), dice.uniform());
             const auto d =
                 static_cast<float>(dice.one_in(2) ? dice.uniform(0, trial.view_distance_km)
@@ -90,8 +88,8 @@ TEST(AerialPerspectiveLookup, FloatLosesLittle) {
                 const auto channel = static_cast<gpu::vec4::length_type>(c);
                 loss.add((double{found[channel]} - wanted[c]) / trial.range(c));
             }
-        }
-        expect_little_loss(loss, trial.baked.asset().certificate);
+        });
+        expect_little_loss(lost, trial.baked.asset().certificate);
     }
 }
 

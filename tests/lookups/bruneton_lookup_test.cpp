@@ -90,9 +90,7 @@ struct ScatteringTrial {
 
     template <class Lookup>
     test::Loss loss(const Lookup& lookup) const {
-        test::Dice dice;
-        test::Loss loss;
-        for (int i = 0; i < test::kPlaces; ++i) {
+        return test::loss_at_places([&](test::Dice& dice, test::Loss& loss) {
             const ScatteringPlace at = any_place(dice);
             const gpu::vec4 found = lookup(at);
             const std::array<double, 4> wanted = in_double(at);
@@ -100,8 +98,7 @@ struct ScatteringTrial {
                 loss.add(
                     relative_error(double{found[c]}, wanted[static_cast<std::size_t>(c)], largest));
             }
-        }
-        return loss;
+        });
     }
 
     test::BakedLookup baked;
@@ -179,9 +176,7 @@ TEST(BrunetonIrradianceLookup, FloatLosesLittle) {
     const Texture texture = texture_of(baked.asset());
     const Shell shell = baked.shell();
     const ValueStatistics& red = baked.asset().levels.front().statistics.front();
-    test::Dice dice;
-    test::Loss loss;
-    for (int i = 0; i < test::kPlaces; ++i) {
+    const test::Loss lost = test::loss_at_places([&](test::Dice& dice, test::Loss& loss) {
         const float h = dice.altitude_km(shell.thickness_km);
         const auto mu_s = static_cast<float>(dice.uniform(-1, 1));
         const gpu::vec3 found = gpu::bruneton_lookups::bruneton_irradiance(
@@ -193,8 +188,8 @@ TEST(BrunetonIrradianceLookup, FloatLosesLittle) {
              (0.5 + double{h} / shell.thickness_km * (texture.size[1] - 1)) / texture.size[1],
              0.5});
         loss.add((double{found.x} - wanted[0]) / (red.max - red.min));
-    }
-    expect_little_loss(loss, baked.asset().certificate);
+    });
+    expect_little_loss(lost, baked.asset().certificate);
 }
 
 TEST(BrunetonLookup, PhaseFunctionsAreTheBakers) {

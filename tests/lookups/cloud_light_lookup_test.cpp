@@ -29,9 +29,7 @@ TEST(CloudLightLookup, FloatLosesLittle) {
     const Baked& light = baked.asset(1);
     const Texture texture = texture_of(light);
     const vec3 tile(3000, 3200, 1000);
-    test::Dice dice;
-    test::Loss loss;
-    for (int i = 0; i < test::kPlaces; ++i) {
+    const test::Loss lost = test::loss_at_places([&](test::Dice& dice, test::Loss& loss) {
         const vec3 p(dice.uniform(-9000, 9000), dice.uniform(-9000, 9000), dice.uniform(0, 1000));
         const vec4 found = gpu::light_lookups::cloud_light({texture}, p, tile);
         std::array<double, 3> place{};
@@ -45,8 +43,8 @@ TEST(CloudLightLookup, FloatLosesLittle) {
             loss.add((double{found[static_cast<vec4::length_type>(c)]} - wanted[c]) /
                      (s.max - s.min));
         }
-    }
-    test::expect_little_loss(loss, light.certificate);
+    });
+    test::expect_little_loss(lost, light.certificate);
 }
 
 TEST(CloudLightLookup, HarmonicsAreThoseOfTheBaker) {

@@ -32,9 +32,7 @@ TEST(NoiseLookup, FloatLosesLittle) {
             "pixel_type = 'float'\n");
         const Texture texture = texture_of(baked.asset());
         const vec3 tile(8, 4, 6);
-        test::Dice dice;
-        test::Loss loss;
-        for (int i = 0; i < test::kPlaces; ++i) {
+        const test::Loss lost = test::loss_at_places([&](test::Dice& dice, test::Loss& loss) {
             const vec3 p(dice.uniform(-20, 20), dice.uniform(-20, 20), dice.uniform(-20, 20));
             const gpu::vec4 found = corners ? gpu::cloud_lookups::noise_volume_at_corners(
                                                   {texture}, gpu::size_of(texture), p, tile)
@@ -52,8 +50,8 @@ TEST(NoiseLookup, FloatLosesLittle) {
                 loss.add((double{found[static_cast<vec3::length_type>(c)]} - wanted[c]) /
                          (s.max - s.min));
             }
-        }
-        expect_little_loss(loss, baked.asset().certificate);
+        });
+        expect_little_loss(lost, baked.asset().certificate);
     }
 }
 
@@ -375,16 +373,14 @@ TEST(CloudMarch, AddsUpTheDensities) {
 TEST(CloudLookup, FloatLosesLittle) {
     const CloudTrial trial;
     const ValueStatistics& range = trial.baked.asset().levels.front().statistics.front();
-    test::Dice dice;
-    test::Loss loss;
-    for (int i = 0; i < test::kPlaces; ++i) {
+    const test::Loss lost = test::loss_at_places([&](test::Dice& dice, test::Loss& loss) {
         const vec3 p(dice.uniform(-9000, 9000), dice.uniform(-9000, 9000), dice.uniform(0, 1000));
         const float found = gpu::cloud_lookups::cloud_density({trial.cloud}, p, trial.tile);
         const glm::dvec3 place = glm::dvec3(p) / glm::dvec3(trial.tile);
         const double wanted = filtered(trial.cloud, {place.x, place.y, place.z})[0];
         loss.add((double{found} - wanted) / (range.max - range.min));
-    }
-    expect_little_loss(loss, trial.baked.asset().certificate);
+    });
+    expect_little_loss(lost, trial.baked.asset().certificate);
 }
 
 TEST(CloudLookup, EdgeIsASmoothStep) {

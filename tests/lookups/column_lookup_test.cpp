@@ -108,9 +108,7 @@ struct ColumnTrial {
 TEST(ColumnLookup, FloatLosesLittleToTheTop) {
     const ColumnTrial trial("size = [128, 64, 1]\n");
     const Shell& shell = trial.geometry.shell;
-    test::Dice dice;
-    test::Loss loss;
-    for (int i = 0; i < test::kPlaces; ++i) {
+    const test::Loss lost = test::loss_at_places([&](test::Dice& dice, test::Loss& loss) {
         const float h = dice.altitude_km(shell.thickness_km);
         const double angle = dice.angle(test::horizon_angle(shell, double{h}), 0);
         const auto mu = static_cast<float>(std::cos(angle));
@@ -120,8 +118,8 @@ TEST(ColumnLookup, FloatLosesLittleToTheTop) {
             {trial.texture}, gpu::vec2(gpu::size_of(trial.texture)), trial.air, h, mu);
         const ColumnPath path{double{h}, s, distance_to_top_km(shell, double{h}, s)};
         trial.add_errors(found, trial.in_double(path), loss);
-    }
-    expect_little_loss(loss, trial.baked.asset().certificate);
+    });
+    expect_little_loss(lost, trial.baked.asset().certificate);
 }
 
 TEST(ColumnLookup, HoldsTheProbesToTheTop) {
@@ -185,9 +183,7 @@ TEST(ColumnLookup, HoldsTheProbesOfDensitiesAndPhases) {
 TEST(ColumnLookup, FloatLosesLittleBetweenPoints) {
     const ColumnTrial trial("table = 'between'\nsize = [32, 32, 32]\n");
     const double R = trial.geometry.shell.ground_radius_km;
-    test::Dice dice;
-    test::Loss loss;
-    for (int i = 0; i < test::kPlaces; ++i) {
+    const test::Loss lost = test::loss_at_places([&](test::Dice& dice, test::Loss& loss) {
         const FloatPath path = trial.any_path(dice);
         const gpu::vec4 found = gpu::column_lookups::column_between(
             {trial.texture}, gpu::size_of(trial.texture), trial.air, path.h, path.end, path.d);
@@ -197,24 +193,22 @@ TEST(ColumnLookup, FloatLosesLittleBetweenPoints) {
         const double d = std::max(double{path.d}, gain);
         const double s = d > 0 ? 0.5 * (gain * (gain + 2 * (R + low)) / d - d) : R + low;
         trial.add_errors(found, trial.in_double({low, s, d}), loss);
-    }
-    expect_little_loss(loss, trial.baked.asset().certificate);
+    });
+    expect_little_loss(lost, trial.baked.asset().certificate);
 }
 
 TEST(ColumnLookup, FloatLosesLittleAlongRays) {
     const ColumnTrial trial("table = 'between'\ncoordinates = 'distance'\nsize = [32, 32, 32]\n");
     const double R = trial.geometry.shell.ground_radius_km;
-    test::Dice dice;
-    test::Loss loss;
-    for (int i = 0; i < test::kPlaces; ++i) {
+    const test::Loss lost = test::loss_at_places([&](test::Dice& dice, test::Loss& loss) {
         const FloatPath path = trial.any_path(dice);
         const gpu::vec4 found = gpu::column_lookups::column_along(
             {trial.texture}, gpu::size_of(trial.texture), trial.air, path.h, path.mu, path.d);
         const double h = double{path.h};
         trial.add_errors(found, trial.in_double({h, (R + h) * double{path.mu}, double{path.d}}),
                          loss);
-    }
-    expect_little_loss(loss, trial.baked.asset().certificate);
+    });
+    expect_little_loss(lost, trial.baked.asset().certificate);
 }
 
 TEST(ColumnLookup, FloatLosesLittleOfDensitiesAndPhases) {

@@ -51,9 +51,7 @@ class EnvironmentTrial {
 
 TEST(EnvironmentLookup, FloatLosesLittle) {
     const EnvironmentTrial trial;
-    test::Dice dice;
-    test::Loss loss;
-    for (int i = 0; i < test::kPlaces; ++i) {
+    const test::Loss lost = test::loss_at_places([&](test::Dice& dice, test::Loss& loss) {
         const double azimuth = dice.angle(-kPi, kPi);
         const double elevation = dice.angle(-kPi / 2, kPi / 2);
         const vec3 found = trial.in_float(azimuth, elevation, dice.direction());
@@ -62,8 +60,8 @@ TEST(EnvironmentLookup, FloatLosesLittle) {
             loss.add(relative_error(double{found[c]}, wanted[static_cast<std::size_t>(c)],
                                     trial.largest()));
         }
-    }
-    expect_little_loss(loss, trial.table().certificate);
+    });
+    expect_little_loss(lost, trial.table().certificate);
 }
 
 // Straight up and down, where there is no azimuth, no lookup is undefined.

@@ -15,9 +15,7 @@ TEST(ForwardScatteringLookup, FloatLosesLittle) {
     const test::BakedLookup baked = test::bake_all("[bake.a]\nasset = 'forward_scattering'\n");
     const Texture texture = texture_of(baked.asset());
     constexpr auto kConvention = TexelConvention::end_points_on_texel_centres;
-    test::Dice dice;
-    test::Loss loss;
-    for (int i = 0; i < test::kPlaces; ++i) {
+    const test::Loss lost = test::loss_at_places([&](test::Dice& dice, test::Loss& loss) {
         // All angles, also those of the peak, and depths beyond the deepest texel.
         const auto offset = static_cast<float>(2 * std::pow(dice.uniform(0, 1), 4));
         const auto depth = static_cast<float>(300 * std::pow(dice.uniform(0, 1), 2));
@@ -29,8 +27,8 @@ TEST(ForwardScatteringLookup, FloatLosesLittle) {
         const float found = gpu::forward_lookups::forward_scattering(
             {texture}, gpu::vec2(gpu::size_of(texture)), offset, depth);
         loss.add(double{found} - wanted);
-    }
-    test::expect_little_loss(loss, baked.asset().certificate);
+    });
+    test::expect_little_loss(lost, baked.asset().certificate);
 }
 
 TEST(ForwardScatteringLookup, IsOneWhereTheSunIsNotHidden) {

@@ -17,14 +17,15 @@
 #include <string>
 #include <string_view>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "bakers/air/ray.h"
 #include "bakers/assets/optical_depth/column_table.h"
+#include "bakers/assets/registry/registry.h"
 #include "bakers/field/baked.h"
 #include "tests/lookups/gpu.h"
 #include "tests/support/atmospheres.h"
+#include "tests/support/outcomes.h"
 
 namespace skybake::test {
 
@@ -99,6 +100,15 @@ class Dice {
     std::mt19937_64 engine_{20240611};
 };
 
+// Returns the loss that `add(dice, loss)` adds at kPlaces places, which the dice choose.
+template <class Add>
+Loss loss_at_places(const Add& add) {
+    Dice dice;
+    Loss loss;
+    for (int i = 0; i < kPlaces; ++i) add(dice, loss);
+    return loss;
+}
+
 // The cosine of the horizon's zenith angle at an altitude, and the angle itself.
 inline double horizon_angle(const Shell& shell, double altitude_km) {
     const double dip = std::atan2(horizon_distance_km(shell, altitude_km), shell.ground_radius_km);
@@ -118,12 +128,8 @@ inline BakedLookup bake_all(const std::string& text,
                             Certification certification = Certification::quick) {
     BakedLookup baked{recipe_of(text), {}};
     for (const config::Bake& bake : baked.recipe.parameters.bakes) {
-        auto outcome =
-            bake_asset(baked.recipe, bake, {.threads = 1, .certification = certification});
-        for (const config::Diagnostic& diagnostic : outcome.diagnostics) {
-            EXPECT_NE(diagnostic.severity, config::Severity::error) << diagnostic.message;
-        }
-        if (outcome.value) baked.assets.push_back(std::move(*outcome.value));
+        baked.assets.push_back(test::without_errors(
+            bake_asset(baked.recipe, bake, {.threads = 1, .certification = certification})));
     }
     return baked;
 }

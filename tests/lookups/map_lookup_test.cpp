@@ -19,14 +19,12 @@ TEST(WeatherMapLookup, FloatLosesLittle) {
         "covered = 0.7\npixel_type = 'float'\n");
     const Texture texture = texture_of(baked.asset());
     const vec2 tile(8, 4);
-    test::Dice dice;
-    test::Loss loss;
-    for (int i = 0; i < test::kPlaces; ++i) {
+    const test::Loss lost = test::loss_at_places([&](test::Dice& dice, test::Loss& loss) {
         const vec2 p(dice.uniform(-20, 20), dice.uniform(-20, 20));
         const double found = double{gpu::map_lookups::weather_map({texture}, p, tile).x};
         loss.add(found - filtered(texture, {double{p.x} / 8, double{p.y} / 4, 0.5})[0]);
-    }
-    expect_little_loss(loss, baked.asset().certificate);
+    });
+    expect_little_loss(lost, baked.asset().certificate);
 }
 
 TEST(WeatherMapLookup, LessIsCoveredByLess) {

@@ -70,9 +70,7 @@ struct PhaseTrial {
     }
     template <class Lookup>
     test::Loss loss(const Lookup& lookup) const {
-        test::Dice dice;
-        test::Loss loss;
-        for (int i = 0; i < test::kPlaces; ++i) {
+        return test::loss_at_places([&](test::Dice& dice, test::Loss& loss) {
             const double angle = dice.one_in(2) ? dice.angle(0, kPi) : dice.angle(kPi, 0);
             const Pair pair = pair_of(angle, dice.direction());
             const vec3 found = lookup(pair);
@@ -81,8 +79,7 @@ struct PhaseTrial {
             for (int c = 0; c < 3; ++c) {
                 loss.add(double{found[c]} / wanted[static_cast<std::size_t>(c)] - 1);
             }
-        }
-        return loss;
+        });
     }
 
     PhaseSpacing spacing;

@@ -76,9 +76,7 @@ TEST(MultipleScatteringLookup, FloatLosesLittle) {
     for (const std::string& recipe : {whole + "'hillaire'\n", whole + "'twilight'\n"}) {
         SCOPED_TRACE(recipe);
         const SunTable table(recipe);
-        test::Dice dice;
-        test::Loss loss;
-        for (int i = 0; i < test::kPlaces; ++i) {
+        const test::Loss lost = test::loss_at_places([&](test::Dice& dice, test::Loss& loss) {
             const float h = dice.altitude_km(table.shell.thickness_km);
             const float mu = table.sun(dice);
             const gpu::vec3 found = gpu::sun_lookups::multiple_scattering(
@@ -87,8 +85,8 @@ TEST(MultipleScatteringLookup, FloatLosesLittle) {
                          table.in_double(table.columns.coordinate(double{mu}),
                                          double{h} / table.shell.thickness_km),
                          table.largest, loss);
-        }
-        expect_little_loss(loss, table.baked.asset().certificate);
+        });
+        expect_little_loss(lost, table.baked.asset().certificate);
     }
 }
 
@@ -132,9 +130,7 @@ void expect_suns_of_a_cropped_axis(const CroppedMoments& moments) {
     Texture texture = moments.texture;
     texture.size[1] /= 6;
     texture.texels.resize(texture.texels.size() / 6);
-    test::Dice dice;
-    test::Loss loss;
-    for (int i = 0; i < test::kPlaces; ++i) {
+    const test::Loss lost = test::loss_at_places([&](test::Dice& dice, test::Loss& loss) {
         const float h = dice.altitude_km(moments.shell.thickness_km);
         const float mu = moments.sun(dice);
         const gpu::vec3 found = gpu::sun_lookups::multiple_scattering(
@@ -144,8 +140,8 @@ void expect_suns_of_a_cropped_axis(const CroppedMoments& moments) {
                      moments.in_double(moments.columns.coordinate(double{mu}),
                                        double{h} / moments.shell.thickness_km, 0, 6),
                      moments.largest, loss);
-    }
-    expect_little_loss(loss, moments.certificate);
+    });
+    expect_little_loss(lost, moments.certificate);
 }
 
 // Relative to the light itself, moment 0, as the sum of all may vanish.
@@ -153,9 +149,7 @@ TEST(MomentsLookup, FloatLosesLittle) {
     const CroppedMoments table;
     ASSERT_EQ(table.texture.size[1] % 6, 0);
     expect_suns_of_a_cropped_axis(table);
-    test::Dice dice;
-    test::Loss loss;
-    for (int i = 0; i < test::kPlaces; ++i) {
+    const test::Loss lost = test::loss_at_places([&](test::Dice& dice, test::Loss& loss) {
         const float h = dice.altitude_km(table.shell.thickness_km);
         const float mu_s = table.sun(dice);
         const auto mu = static_cast<float>(dice.uniform(-1, 1));
@@ -176,8 +170,8 @@ TEST(MomentsLookup, FloatLosesLittle) {
             loss.add((double{found[k]} - wanted[channel]) /
                      std::max(light[channel], kErrorFloor * table.largest));
         }
-    }
-    expect_little_loss(loss, table.certificate);
+    });
+    expect_little_loss(lost, table.certificate);
 }
 
 // The lookup of one moment, and the sum over all of them with chi = (1, 0, 0), which is moment 0.
@@ -217,17 +211,15 @@ TEST(IrradianceLookup, FloatLosesLittle) {
             return gpu::sun_lookups::irradiance({table.texture}, table.size(), table.D, h, mu,
                                                 table.twilight());
         };
-        test::Dice dice;
-        test::Loss loss;
-        for (int i = 0; i < test::kPlaces; ++i) {
+        const test::Loss lost = test::loss_at_places([&](test::Dice& dice, test::Loss& loss) {
             const float h = dice.altitude_km(table.shell.thickness_km);
             const float mu = table.sun(dice);
             add_relative(in_float(h, mu),
                          table.in_double(table.columns.coordinate(double{mu}),
                                          std::sqrt(double{h} / table.shell.thickness_km)),
                          table.largest, loss);
-        }
-        expect_little_loss(loss, table.baked.asset().certificate);
+        });
+        expect_little_loss(lost, table.baked.asset().certificate);
     }
 }
 

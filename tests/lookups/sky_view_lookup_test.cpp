@@ -95,19 +95,16 @@ class SkyViewTrial {
 
     template <class Lookup>
     test::Loss loss(const Lookup& lookup) const {
-        test::Dice dice;
-        test::Loss loss;
-        for (int i = 0; i < test::kPlaces; ++i) {
+        return test::loss_at_places([&](test::Dice& dice, test::Loss& loss) {
             const ViewPlace at = any_place(dice);
-            if (std::fabs(angle_of(at)) < kUndecided) continue;
+            if (std::fabs(angle_of(at)) < kUndecided) return;
             const vec3 found = lookup(at);
             const std::array<double, 4> wanted = in_double(at);
             for (int c = 0; c < 3; ++c) {
                 loss.add(relative_error(double{found[c]}, wanted[static_cast<std::size_t>(c)],
                                         largest_));
             }
-        }
-        return loss;
+        });
     }
 
     const Baked& table() const { return baked_.asset(); }

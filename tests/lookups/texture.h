@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <vector>
 
-#include "bakers/assets/registry/registry.h"
 #include "bakers/field/baked.h"
 #include "bakers/field/interpolation.h"
 #include "bakers/field/pixel_type.h"

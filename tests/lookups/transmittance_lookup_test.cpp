@@ -46,9 +46,7 @@ TEST(TransmittanceLookup, FloatLosesLittle) {
         for (const bool ue : {false, true}) {
             SCOPED_TRACE(std::string(planet) + (ue ? ", ue" : ", bruneton"));
             const TransmittanceTrial trial(planet, ue);
-            test::Dice dice;
-            test::Loss loss;
-            for (int i = 0; i < test::kPlaces; ++i) {
+            const test::Loss lost = test::loss_at_places([&](test::Dice& dice, test::Loss& loss) {
                 const float h = dice.altitude_km(trial.shell.thickness_km);
                 const double angle = dice.angle(test::horizon_angle(trial.shell, double{h}), 0);
                 const auto mu = static_cast<float>(std::cos(angle));
@@ -57,8 +55,8 @@ TEST(TransmittanceLookup, FloatLosesLittle) {
                 for (int c = 0; c < 3; ++c) {
                     loss.add(double{found[c]} - wanted[static_cast<std::size_t>(c)]);
                 }
-            }
-            expect_little_loss(loss, trial.baked.asset().certificate);
+            });
+            expect_little_loss(lost, trial.baked.asset().certificate);
         }
     }
 }

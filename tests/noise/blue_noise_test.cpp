@@ -11,6 +11,7 @@
 #include "bakers/assets/blue_noise/mask_figures.h"
 #include "bakers/field/baked.h"
 #include "config/assets/blue_noise.h"
+#include "tests/support/outcomes.h"
 
 namespace skybake {
 namespace {
@@ -27,10 +28,7 @@ config::BlueNoiseBake bake_of(const std::array<int, 2>& size, int frames, PixelT
 }
 
 Baked baked(const config::BlueNoiseBake& bake) {
-    auto outcome = bake_blue_noise(bake, {}, {});
-    EXPECT_TRUE(outcome.diagnostics.empty());
-    EXPECT_TRUE(outcome.value.has_value());
-    return outcome.value ? std::move(*outcome.value) : Baked{};
+    return test::without_diagnostics(bake_blue_noise(bake, {}, {}));
 }
 
 std::vector<float> voxels_of(const Baked& volume) {

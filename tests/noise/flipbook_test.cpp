@@ -12,16 +12,13 @@
 #include "config/assets/flipbook.h"
 #include "config/recipe/recipe.h"
 #include "config/sections/frames.h"
+#include "tests/support/outcomes.h"
 
 namespace skybake {
 namespace {
 
 config::Recipe recipe_of(const std::string& text) {
-    auto recipe = config::parse_recipe(text, "recipe.toml", {}, {});
-    for (const config::Diagnostic& diagnostic : recipe.diagnostics) {
-        if (diagnostic.severity == config::Severity::error) ADD_FAILURE() << diagnostic.message;
-    }
-    return recipe.value.value_or(config::Recipe{});
+    return test::without_errors(config::parse_recipe(text, "recipe.toml", {}, {}));
 }
 
 Baked baked(const config::Recipe& recipe, const config::Bake& bake,
@@ -29,14 +26,8 @@ Baked baked(const config::Recipe& recipe, const config::Bake& bake,
     BakeOptions options;
     options.threads = 2;
     options.certification = certification;
-    auto outcome = bake_asset(recipe, bake, options);
-    if (!outcome.value) {
-        ADD_FAILURE() << bake.name
-                      << (outcome.diagnostics.empty() ? ""
-                                                      : " " + outcome.diagnostics.front().message);
-        return {};
-    }
-    return std::move(*outcome.value);
+    SCOPED_TRACE(bake.name);
+    return test::without_errors(bake_asset(recipe, bake, options));
 }
 
 std::vector<float> values_of(const Level& level, const VoxelBox& box, std::size_t channels) {

@@ -3,7 +3,6 @@
 #include <rapidcheck.h>
 
 #include <cmath>
-#include <limits>
 
 #include "bakers/noise/cell_value.h"
 #include "bakers/noise/noise_plan.h"

@@ -15,7 +15,6 @@
 namespace skybake::noise {
 namespace {
 
-using config::WorleyFeature;
 using test::Frequency;
 using test::hold;
 

@@ -14,6 +14,7 @@
 #include "bakers/noise/noise_reference.h"
 #include "config/assets/weather_map.h"
 #include "tests/noise/noises.h"
+#include "tests/support/outcomes.h"
 
 namespace skybake {
 namespace {
@@ -53,9 +54,7 @@ WeatherMapBake bake_of(const std::array<int, 2>& size, std::vector<double> cover
 }
 
 Baked baked(const config::Noise& noise, const WeatherMapBake& bake) {
-    auto outcome = bake_weather_map(noise, bake, {}, {});
-    for (const auto& problem : outcome.diagnostics) ADD_FAILURE() << problem.message;
-    return outcome.value ? std::move(*outcome.value) : Baked{};
+    return test::without_diagnostics(bake_weather_map(noise, bake, {}, {}));
 }
 
 // The law: of N texels, round(covered N) are above 0 and round(full N) are 1, as they are stored.

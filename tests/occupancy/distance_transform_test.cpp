@@ -16,7 +16,6 @@ namespace skybake::occupancy {
 namespace {
 
 using test::Edges;
-using test::Values;
 using test::Volume;
 
 VoxelBits bits_of(const Volume& volume, float threshold) {

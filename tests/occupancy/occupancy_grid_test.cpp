@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "bakers/assets/occupancy/occupancy_proof.h"
 #include "bakers/field/pixel_type.h"

@@ -4,8 +4,6 @@
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
 
-#include <numbers>
-
 #include "config/assets/optical_depth.h"
 #include "tests/optical_depth/columns.h"
 

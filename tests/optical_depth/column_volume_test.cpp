@@ -8,6 +8,7 @@
 #include "bakers/assets/optical_depth/column_kinds.h"
 #include "config/assets/optical_depth.h"
 #include "tests/optical_depth/columns.h"
+#include "tests/support/outcomes.h"
 
 namespace skybake::test {
 namespace {
@@ -16,11 +17,9 @@ Baked bake(const config::Atmosphere& atmosphere, const config::OpticalDepthBake&
            Certification certification = Certification::quick, int threads = 2) {
     Baked volume;
     volume.name = "table";
-    auto outcome = bake_columns(atmosphere, bake,
-                                BakeOptions{.threads = threads, .certification = certification},
-                                std::move(volume));
-    EXPECT_TRUE(outcome.value.has_value());
-    return outcome.value ? std::move(*outcome.value) : Baked{};
+    return test::without_errors(bake_columns(
+        atmosphere, bake, BakeOptions{.threads = threads, .certification = certification},
+        std::move(volume)));
 }
 
 // The bars, for each kind alone and all together, at the default sizes.

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cmath>
+#include <fstream>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -96,5 +98,12 @@ struct Agreement {
     }
     double mean() const { return chi_square / count; }
 };
+
+inline std::string file_text(const std::string& path) {
+    std::ifstream file(path);
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
 
 }  // namespace skybake::test

@@ -5,9 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <fstream>
 #include <numbers>
-#include <sstream>
 
 #include "bakers/air/optical_depth.h"
 #include "bakers/light/sky_radiance.h"
@@ -243,17 +241,11 @@ TEST(PathTracer, SmallDiscIsAPointAndSpreadsOnlyItsLight) {
                 4 * half.standard_error[0] + 1e-5);
 }
 
-std::string file_text(const std::string& name) {
-    std::ifstream file(SKYBAKE_TEST_DATA "/" + name);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
-}
-
 // Every row against an independent program; rows of a direction share their paths.
 test::Agreement agreement_with(const std::string& name, const SkyMedium& medium,
                                std::int64_t count) {
-    const auto truth = parse_sky_truth_csv(file_text(name)).value_or(std::vector<SkyTruth>{});
+    const auto truth = parse_sky_truth_csv(test::file_text(SKYBAKE_TEST_DATA "/" + name))
+                           .value_or(std::vector<SkyTruth>{});
     std::vector<SkyTruthDirection> directions;
     for (const SkyTruth& row : truth) {
         if (row.channel == 0) directions.push_back(row.direction);
@@ -300,10 +292,10 @@ TEST(PathTracer, ReplicatesHaveTheWalkedLightForTheirMean) {
     const SunZenith sun = sun_at_elevation(0.5);
     const SkyDirection up = sky_direction(sun, 0.6, 0.8, 0.3);
     const PathTracerSettings settings = paths(1024, 1);
-    for (const PathTracedRadiance& light :
-         {trace_paths(tracer, 1, sun, up, settings, 1), trace_irradiance(tracer, 1, sun, settings, 1),
-          trace_mean_radiance(tracer, 1, sun, settings, 1),
-          trace_ambient_paths(tracer, 1, 0.6, settings, 1)}) {
+    for (const PathTracedRadiance& light : {trace_paths(tracer, 1, sun, up, settings, 1),
+                                            trace_irradiance(tracer, 1, sun, settings, 1),
+                                            trace_mean_radiance(tracer, 1, sun, settings, 1),
+                                            trace_ambient_paths(tracer, 1, 0.6, settings, 1)}) {
         Spectrum mean{};
         for (const Spectrum& replicate : light.replicates) mean += replicate;
         const Spectrum error = standard_error_of(light.replicates, light.walked);

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "bakers/light/sky_irradiance.h"
 #include "bakers/light/sky_radiance.h"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <boost/random/sobol.hpp>
-#include <cmath>
 #include <set>
 #include <vector>
 

@@ -2,24 +2,15 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <sstream>
-
 #include "tests/path_tracer/path_media.h"
 
 namespace skybake {
 namespace {
 
-std::string file_text(const std::string& name) {
-    std::ifstream file(SKYBAKE_TEST_DATA "/" + name);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
-}
-
 // The directions of the stored truth, all of them and no others.
 TEST(SkyTruth, DirectionsAreThoseOfTheStoredTruth) {
-    const auto stored = parse_sky_truth_csv(file_text("truth_sky_setH0_h0.5.csv"));
+    const auto stored =
+        parse_sky_truth_csv(test::file_text(SKYBAKE_TEST_DATA "/truth_sky_setH0_h0.5.csv"));
     ASSERT_TRUE(stored);
     const std::vector<SkyTruthDirection> directions = sky_truth_directions(0.5);
     ASSERT_EQ(directions.size(), 178U);

@@ -10,6 +10,7 @@
 #include "bakers/air/particles/size_distribution.h"
 #include "bakers/air/particles/water_refractive_index.h"
 #include "tests/phase/lorenz_mie_reference.h"
+#include "tests/phase/phase_values.h"
 
 namespace skybake {
 namespace {
@@ -46,12 +47,6 @@ Particles modified_gamma_drops(double scale_um, double alpha, double gamma) {
     result.alpha = alpha;
     result.gamma = gamma;
     return result;
-}
-
-double value_at(const TabulatedPhase& phase, double degrees) {
-    const double half = degrees * std::numbers::pi / 360;
-    return tabulated_phase_value(phase, 2 * std::sin(half) * std::sin(half),
-                                 2 * std::cos(half) * std::cos(half));
 }
 
 // The degrees in [from, to] at which the phase function is largest.

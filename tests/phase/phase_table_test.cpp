@@ -18,6 +18,7 @@
 #include "bakers/field/interpolation.h"
 #include "config/assets/phase.h"
 #include "tests/support/atmospheres.h"
+#include "tests/support/outcomes.h"
 
 namespace skybake {
 namespace {
@@ -34,9 +35,8 @@ const std::string kParticles =
 
 Baked bake(const std::string& keys, int threads = 0) {
     const config::Recipe recipe = test::recipe_of(kParticles + keys);
-    auto baked = bake_asset(recipe, recipe.parameters.bakes.back(), BakeOptions{threads});
-    for (const auto& diagnostic : baked.diagnostics) ADD_FAILURE() << diagnostic.message;
-    return baked.value.value_or(Baked{});
+    return test::without_diagnostics(
+        bake_asset(recipe, recipe.parameters.bakes.back(), BakeOptions{threads}));
 }
 
 double lookup(const Baked& table, double x, std::size_t channel) {

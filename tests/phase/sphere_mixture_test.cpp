@@ -10,6 +10,7 @@
 #include "bakers/air/particles/particle_scattering.h"
 #include "config/sections/spectral_air.h"
 #include "tests/phase/lorenz_mie_reference.h"
+#include "tests/phase/phase_values.h"
 
 namespace skybake {
 namespace {
@@ -28,12 +29,6 @@ LayerParticles mixture(config::AerosolMixture mixture, double humidity) {
 
 std::shared_ptr<const SphereScattering> at(const LayerParticles& layer, double nm) {
     return sphere_scattering(layer, nanometers(nm), kAccuracy, 2);
-}
-
-double value_at(const TabulatedPhase& phase, double degrees) {
-    const double half = degrees * std::numbers::pi / 360;
-    return tabulated_phase_value(phase, 2 * std::sin(half) * std::sin(half),
-                                 2 * std::cos(half) * std::cos(half));
 }
 
 // OPAC 3.1's output for continental polluted air at 80 % and 550 nm.

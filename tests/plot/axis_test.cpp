@@ -7,15 +7,13 @@
 #include <cmath>
 #include <limits>
 
+#include "tests/plot/axes.h"
+
 namespace skybake {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-ChartAxis axis(double first, double last, double power = 1, AxisTicks ticks = AxisTicks::decimal) {
-    return {"axis", [=](double t) { return first + std::pow(t, power) * (last - first); }, ticks};
-}
 
 std::vector<std::string> labels(const std::vector<AxisTick>& ticks) {
     std::vector<std::string> words;

@@ -8,16 +8,13 @@
 
 #include "bakers/plot/chart.h"
 #include "bakers/plot/chart_points.h"
+#include "tests/plot/axes.h"
 #include "tests/plot/pixels.h"
 
 namespace skybake {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-ChartAxis axis(double first, double last, double power = 1, AxisTicks ticks = AxisTicks::decimal) {
-    return {"axis", [=](double t) { return first + std::pow(t, power) * (last - first); }, ticks};
-}
 
 // --- Colours ------------------------------------------------------------------------------------
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cctype>
+#include <string>
 
 #include "bakers/plot/drawing.h"
 
@@ -17,6 +18,10 @@ inline void expect_sentences(const PreviewPicture& picture) {
     EXPECT_FALSE(std::islower(static_cast<unsigned char>(caption.front())))
         << picture.name << ": " << caption;
     EXPECT_EQ(caption.back(), '.') << picture.name << ": " << caption;
+}
+
+inline bool says(const PreviewPicture& picture, const std::string& words) {
+    return picture.caption.find(words) != std::string::npos;
 }
 
 }  // namespace skybake::test

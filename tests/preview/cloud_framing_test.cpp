@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "tests/preview/clouds.h"
+#include "tests/support/cloud_marches.h"
 
 namespace skybake {
 namespace {
@@ -187,7 +188,7 @@ TEST(CloudView, OfASingleTileIsThatOfALargeTileWithNothingElse) {
     large.leaps = leaps_of_voxels(large, 4, 1);
     CameraRequest request;
     request.position_m = {{-700, -1500, 1100}};
-    CloudViewSettings settings = framed_view(single, {25, 105}, 32, 18, request);
+    MarchSettings settings = {framed_view(single, {25, 105}, 32, 18, request)};
     settings.reach_m = 5000;
     const Image2<float> one = march_view(single, settings, 1).results;
     settings.camera.position_m[0] += 3200;
@@ -203,7 +204,7 @@ TEST(CloudView, OfASingleTileIsThatOfALargeTileWithNothingElse) {
     EXPECT_GT(seen, 5);
     // The layer that the same tile repeats to is another picture.
     CloudMedium layer = tower(1000, true);
-    settings = framed_view(single, {25, 105}, 32, 18, request);
+    settings = {framed_view(single, {25, 105}, 32, 18, request)};
     settings.reach_m = 20000;
     int more = 0;
     const Image2<float> repeated = march_view(layer, settings, 1).results;

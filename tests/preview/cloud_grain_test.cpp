@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "bakers/render/cloud_camera.h"
-#include "bakers/render/cloud_view.h"
 #include "tests/preview/clouds.h"
 #include "tests/support/cloud_view_reference.h"
 
@@ -50,9 +49,9 @@ CloudMedium draft_cloud() {
     return medium;
 }
 
-CloudViewSettings settings_under(const CloudMedium& medium, const SunDirection& sun) {
+MarchSettings settings_under(const CloudMedium& medium, const SunDirection& sun) {
     const MarchSteps steps = usual_steps(medium, sun);
-    CloudViewSettings settings;
+    MarchSettings settings;
     settings.width = kWidth;
     settings.height = kHeight;
     settings.camera = {{-60, 60, 1050}, 45, 12, 60};
@@ -64,7 +63,7 @@ CloudViewSettings settings_under(const CloudMedium& medium, const SunDirection& 
 }
 
 // Sunlight that the cloud scatters to each pixel, along the ray through its middle.
-Image2<double> marched(const CloudMedium& medium, const CloudViewSettings& settings) {
+Image2<double> marched(const CloudMedium& medium, const MarchSettings& settings) {
     const Image2<float> results = march_view(medium, settings, 1).results;
     Image2<double> sunlight(kWidth, kHeight, 1);
     for (std::size_t i = 0; i < sunlight.texels.size(); ++i) {
@@ -75,7 +74,7 @@ Image2<double> marched(const CloudMedium& medium, const CloudViewSettings& setti
 }
 
 // The same by sums of 192 midpoints, without jitter.
-Image2<double> in_short_steps(const CloudMedium& medium, const CloudViewSettings& settings) {
+Image2<double> in_short_steps(const CloudMedium& medium, const MarchSettings& settings) {
     const DiffuseShare diffuse = diffuse_share(medium, 4, 1);
     const CameraRays rays(settings.camera, kWidth, kHeight);
     Image2<double> sunlight(kWidth, kHeight, 1);
@@ -113,7 +112,7 @@ Energy energy_of(const Image2<double>& picture) {
 // Returns the error and grain that the march adds to a cloud's light under a sun, as shares of the light.
 Energy error_under(const SunDirection& sun) {
     const CloudMedium medium = draft_cloud();
-    const CloudViewSettings settings = settings_under(medium, sun);
+    const MarchSettings settings = settings_under(medium, sun);
     const Image2<double> fine = in_short_steps(medium, settings);
     Image2<double> difference = marched(medium, settings);
     for (std::size_t i = 0; i < fine.texels.size(); ++i) difference.texels[i] -= fine.texels[i];

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "bakers/render/cloud_camera.h"
-#include "bakers/render/cloud_view.h"
 #include "tests/preview/cloud_views.h"
 
 namespace skybake {
@@ -15,7 +14,7 @@ using namespace test;
 // A homogeneous layer, seen from below.
 struct Slab {
     CloudMedium medium;
-    CloudViewSettings settings;
+    MarchSettings settings;
     double height = 600;
     double sigma = 0;
 

@@ -7,7 +7,6 @@
 #include <set>
 #include <string>
 #include <utility>
-#include <variant>
 
 #include "bakers/preview/bake_assets.h"
 #include "bakers/preview/occupancy_leaps.h"
@@ -106,10 +105,6 @@ std::set<std::string> names_of(const std::vector<PreviewPicture>& pictures) {
     return names;
 }
 
-bool says(const PreviewPicture& picture, const std::string& words) {
-    return picture.caption.find(words) != std::string::npos;
-}
-
 TEST(CloudPictures, ShowAVolumeWithItsGrid) {
     const BakedCloud baked;
     CloudPreviewInput input = baked.input_under_earth();
@@ -121,9 +116,9 @@ TEST(CloudPictures, ShowAVolumeWithItsGrid) {
                                      "grid_cells_z"}));
     EXPECT_EQ(pictures[0].picture.width, 64);
     EXPECT_EQ(pictures[0].picture.height, 36);
-    EXPECT_TRUE(says(pictures[0], "Leaping by grid"));
-    EXPECT_TRUE(says(pictures[0], "the preset earth"));
-    EXPECT_TRUE(says(pictures[0], "tone curve film"));
+    EXPECT_TRUE(test::says(pictures[0], "Leaping by grid"));
+    EXPECT_TRUE(test::says(pictures[0], "the preset earth"));
+    EXPECT_TRUE(test::says(pictures[0], "tone curve film"));
 }
 
 TEST(CloudPictures, OfADraftAreFewAndSmall) {
@@ -150,13 +145,13 @@ TEST(CloudPictures, VaryTheCopiesOfATile) {
     input.exposure_stops = 3;
     input.camera = {{{1500, 1000, 3000}}, 60, -20, 60};
     const PreviewPicture here = cloud_pictures(input, 1).front();
-    EXPECT_TRUE(says(here, "so that no pattern repeats")) << here.caption;
+    EXPECT_TRUE(test::says(here, "so that no pattern repeats")) << here.caption;
     input.camera.position_m = {{4500, 1000, 3000}};
     const PreviewPicture next = cloud_pictures(input, 1).front();
     EXPECT_GT(mean_difference(here.picture, next.picture), 5);
     input.single = true;
     const PreviewPicture single = cloud_pictures(input, 1).front();
-    EXPECT_FALSE(says(single, "repeats")) << single.caption;
+    EXPECT_FALSE(test::says(single, "repeats")) << single.caption;
 }
 
 // Returns the picture at half its size: each pixel is the mean of a square of four.
@@ -186,13 +181,13 @@ TEST(CloudPictures, OfADraftHaveNoGrainOfTheirSamples) {
     input.width = 768;
     input.height = 432;
     PreviewPicture fine = cloud_pictures(input, 2).front();
-    EXPECT_TRUE(says(fine, "one ray per pixel")) << fine.caption;
+    EXPECT_TRUE(test::says(fine, "one ray per pixel")) << fine.caption;
     for (int i = 0; i < 3; ++i) fine.picture = quartered(fine.picture);
     input.draft = true;
     input.width = 192;
     input.height = 108;
     const PreviewPicture draft = cloud_pictures(input, 2).front();
-    EXPECT_TRUE(says(draft, "4 rays per pixel")) << draft.caption;
+    EXPECT_TRUE(test::says(draft, "4 rays per pixel")) << draft.caption;
     ASSERT_EQ(draft.picture.rgb.size(), fine.picture.rgb.size());
     EXPECT_LT(mean_difference(draft.picture, fine.picture), 2);
 }
@@ -210,12 +205,13 @@ TEST(CloudPictures, HaveTheSizeTheCameraAndTheSunThatAreAskedFor) {
     const PreviewPicture picture = cloud_pictures(input, 1).front();
     EXPECT_EQ(picture.picture.width, 48);
     EXPECT_EQ(picture.picture.height, 64);
-    EXPECT_TRUE(says(picture, "`position=1km,0.5km,3km heading=200deg pitch=-20deg fov=70deg`"))
+    EXPECT_TRUE(
+        test::says(picture, "`position=1km,0.5km,3km heading=200deg pitch=-20deg fov=70deg`"))
         << picture.caption;
-    EXPECT_TRUE(says(picture, "30 degrees to the right of the view")) << picture.caption;
+    EXPECT_TRUE(test::says(picture, "30 degrees to the right of the view")) << picture.caption;
     input.suns = {{30, 210}};
     const PreviewPicture other = cloud_pictures(input, 1).front();
-    EXPECT_TRUE(says(other, "10 degrees to the left of the view")) << other.caption;
+    EXPECT_TRUE(test::says(other, "10 degrees to the left of the view")) << other.caption;
     EXPECT_NE(other.picture.rgb, picture.picture.rgb);
 }
 
@@ -262,7 +258,7 @@ TEST(CloudPictures, DoNotDependOnTheGrid) {
     input.occupancy = nullptr;
     const auto without = cloud_pictures(input, 1);
     EXPECT_EQ(with[0].picture.rgb, without[0].picture.rgb);
-    EXPECT_TRUE(says(without[0], "cells made from the volume"));
+    EXPECT_TRUE(test::says(without[0], "cells made from the volume"));
 }
 
 TEST(CloudPictures, ShowAGridAlone) {

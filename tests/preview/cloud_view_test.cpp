@@ -20,7 +20,7 @@ using namespace test;
 
 struct Scene {
     CloudMedium medium;
-    CloudViewSettings settings;
+    MarchSettings settings;
 };
 
 Scene any_scene() {
@@ -68,7 +68,7 @@ TEST(CloudView, LeapsSaveFetches) {
     const std::array<int, 3> size = {48, 48, 24};
     const CloudMedium medium =
         medium_of(cloud_of({2000, 2000, 800}, 600), size, clumped_voxels(size, 5, 0.02));
-    CloudViewSettings settings = small_view(medium, {30, 100});
+    MarchSettings settings = small_view(medium, {30, 100});
     const FetchCounts leaping = march_view(medium, settings, 1).fetches;
     settings.leaping = false;
     const FetchCounts straight = march_view(medium, settings, 1).fetches;
@@ -82,7 +82,7 @@ TEST(CloudView, IsTheSameOnAllThreadsAndTargets) {
     const std::array<int, 3> size = {33, 20, 12};
     const CloudMedium medium =
         medium_of(cloud_of({1300, 900, 500}, 400), size, clumped_voxels(size, 9, 0.3));
-    CloudViewSettings settings = small_view(medium, {12, 80});
+    MarchSettings settings = small_view(medium, {12, 80});
     settings.width = 50;
     settings.height = 35;
     const Image2<float> one = march_view(medium, settings, 1).results;
@@ -100,7 +100,7 @@ TEST(CloudView, IsTheDefinition) {
         const auto seed = static_cast<std::uint32_t>(1000 + sun.azimuth_degrees);
         const CloudMedium medium =
             medium_of(cloud_of({1200, 900, 600}, 500), size, clumped_voxels(size, seed, 0.4));
-        CloudViewSettings settings = small_view(medium, sun);
+        MarchSettings settings = small_view(medium, sun);
         settings.width = 8;
         settings.height = 5;
         settings.camera.elevation_degrees = 40;
@@ -152,10 +152,10 @@ TEST(CloudView, ShowsSkyWhereThereIsNoCloud) {
     const CloudMedium full =
         medium_of(cloud_of({1000, 1000, 500}, 800), size, std::vector<float>(1024, 1.0F));
     for (const double elevation : {90.0, 20.0, 0.0, -2.0, -90.0}) {
-        CloudViewSettings settings = small_view(empty, {elevation, 90});
+        MarchSettings settings = small_view(empty, {elevation, 90});
         const Atmosphere air{sky.medium, sky.tables};
-        const Image2<float> sky_alone = render_cloud(empty, air, settings, 1).radiance;
-        const Image2<float> overcast = render_cloud(full, air, settings, 2).radiance;
+        const Image2<float> sky_alone = render_cloud(empty, air, settings, 1);
+        const Image2<float> overcast = render_cloud(full, air, settings, 2);
         double brightest = 0;
         for (const Image2<float>* image : {&sky_alone, &overcast}) {
             for (const float value : image->texels) {

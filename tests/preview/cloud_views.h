@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "bakers/render/cloud_framing.h"
-#include "bakers/render/cloud_view.h"
 #include "tests/preview/clouds.h"
+#include "tests/support/cloud_marches.h"
 
 namespace skybake::test {
 
@@ -24,14 +24,9 @@ inline CloudMedium medium_of(const config::Cloud& cloud, const std::array<int, 3
     return medium;
 }
 
-inline bool same_bits(const Image2<float>& a, const Image2<float>& b) {
-    return a.texels.size() == b.texels.size() &&
-           std::memcmp(a.texels.data(), b.texels.data(), a.texels.size() * sizeof(float)) == 0;
-}
-
 // A picture from below or from above, of a small cloud.
-inline CloudViewSettings small_view(const CloudMedium& medium, const SunDirection& sun) {
-    CloudViewSettings settings = framed_view(medium, sun, 20, 12);
+inline MarchSettings small_view(const CloudMedium& medium, const SunDirection& sun) {
+    MarchSettings settings = {framed_view(medium, sun, 20, 12)};
     settings.reach_m = 4 * std::max(medium.extent_m[0], medium.extent_m[1]);
     return settings;
 }

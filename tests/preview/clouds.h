@@ -2,9 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
-#include "bakers/render/cloud_view.h"
+#include "bakers/field/image.h"
 #include "tests/occupancy/volumes_in_memory.h"
 
 namespace skybake::test {
@@ -35,6 +36,11 @@ inline std::vector<float> clumped_voxels(const std::array<int, 3>& size, std::ui
         }
     }
     return voxels;
+}
+
+inline bool same_bits(const Image2<float>& a, const Image2<float>& b) {
+    return a.texels.size() == b.texels.size() &&
+           std::memcmp(a.texels.data(), b.texels.data(), a.texels.size() * sizeof(float)) == 0;
 }
 
 }  // namespace skybake::test

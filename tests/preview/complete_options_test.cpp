@@ -4,28 +4,26 @@
 
 #include <string>
 
+#include "tests/support/outcomes.h"
+
 namespace skybake {
 namespace {
 
 const LitPictures kBoth = {true, true, false};
 
 config::Recipe recipe_with(const std::string& preview) {
-    auto recipe = config::parse_recipe(
+    return test::without_diagnostics(config::parse_recipe(
         "[noise.n.channels.Y]\ntype = 'worley'\nfrequency = 2\noctaves = 1\n[clouds.c]\nnoise = "
         "'n'\n"
         "extent = ['2 km', '2 km', '1 km']\n[preview]\n" +
             preview,
-        "test.toml");
-    for (const auto& diagnostic : recipe.diagnostics) ADD_FAILURE() << diagnostic.message;
-    return recipe.value ? std::move(*recipe.value) : config::Recipe{};
+        "test.toml"));
 }
 
 PreviewOptions complete(const PreviewOptions& given, const std::string& preview,
                         const LitPictures& lit = kBoth) {
     const config::Recipe recipe = recipe_with(preview);
-    auto outcome = completed(given, &recipe, lit);
-    for (const auto& diagnostic : outcome.diagnostics) ADD_FAILURE() << diagnostic.message;
-    return outcome.value.value_or(PreviewOptions());
+    return test::without_diagnostics(completed(given, &recipe, lit));
 }
 
 constexpr const char* kAll =

@@ -12,6 +12,7 @@
 #include "config/presets/presets.h"
 #include "config/recipe/init_text.h"
 #include "tests/preview/skies.h"
+#include "tests/support/outcomes.h"
 
 namespace skybake {
 namespace {
@@ -30,10 +31,8 @@ PreviewAssets cumulus() {
     const auto recipe = test::recipe_of(config::cloud_init_text(*humilis),
                                         {"bake.cumulus_humilis.size=[128, 128, 16]",
                                          "clouds.cumulus_humilis.convection.cells=[48, 48, 8]"});
-    auto assets =
-        bake_assets(recipe, recipe.parameters.bakes, "test", {1, Certification::off, nullptr});
-    for (const auto& diagnostic : assets.diagnostics) ADD_FAILURE() << diagnostic.message;
-    return assets.value ? std::move(*assets.value) : PreviewAssets();
+    return test::without_diagnostics(
+        bake_assets(recipe, recipe.parameters.bakes, "test", {1, Certification::off, nullptr}));
 }
 
 // The input of small pictures under a sun of 35 degrees in Earth's sky, from below the clouds.

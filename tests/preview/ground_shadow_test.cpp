@@ -14,6 +14,8 @@
 namespace skybake {
 namespace {
 
+using test::earth;
+
 constexpr double kExtinction = 0.01;  // 1/m
 
 // A tile of 1600 x 1600 x 400 m at an altitude of 1 km, which is cloud throughout.
@@ -85,11 +87,6 @@ TEST(GroundShadow, OfOneTileIsThatOfItsBox) {
         EXPECT_GT(dark, 20) << elevation;
         EXPECT_GT(dark + lit, 60) << elevation;
     }
-}
-
-const test::Sky& earth() {
-    static const test::Sky sky = test::sky_of("earth_hillaire");
-    return sky;
 }
 
 Image2<float> picture_of(const CloudMedium& medium, const SunDirection& sun,

@@ -1,7 +1,6 @@
 // Lookups of solved light, place by place, against their definition in double.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "bakers/assets/cloud_light/march_light.h"

@@ -16,6 +16,7 @@
 #include "bakers/render/tone_curve.h"
 #include "bakers/render/white_balance.h"
 #include "tests/support/atmospheres.h"
+#include "tests/support/outcomes.h"
 
 namespace skybake {
 namespace {
@@ -33,10 +34,8 @@ const std::string kCloud =
 
 PreviewAssets baked(const std::string& text) {
     const auto recipe = test::recipe_of(text, {});
-    auto assets =
-        bake_assets(recipe, recipe.parameters.bakes, "test", {1, Certification::off, nullptr});
-    for (const auto& diagnostic : assets.diagnostics) ADD_FAILURE() << diagnostic.message;
-    return assets.value ? std::move(*assets.value) : PreviewAssets();
+    return test::without_diagnostics(
+        bake_assets(recipe, recipe.parameters.bakes, "test", {1, Certification::off, nullptr}));
 }
 
 json scene_of(const std::string& text, const PreviewOptions& options = {}) {

@@ -30,15 +30,14 @@ double largest_error(const test::Sky& sky, const SolvedSky* solved, const CloudC
     const std::vector<float> nothing(8 * 8 * 4);
     const CloudMedium medium =
         test::medium_of(test::cloud_of({4000, 4000, 500}, 1000), {8, 8, 4}, nothing);
-    CloudViewSettings settings;
+    MarchSettings settings;
     settings.width = 24;
     settings.height = 14;
     settings.camera = camera;
     settings.sun = sun;
     settings.step_m = settings.light_step_m = 100;
     settings.reach_m = 10000;
-    const Image2<float> seen =
-        render_cloud(medium, {sky.medium, sky.tables, solved}, settings, 1).radiance;
+    const Image2<float> seen = render_cloud(medium, {sky.medium, sky.tables, solved}, settings, 1);
 
     const SkyLight truth(sky.recipe.parameters.atmosphere, config::SkyOrders::all, {}, one_thread);
     const SunZenith zenith = sun_at_elevation(sun.elevation_degrees / kDegreesPerRadian);

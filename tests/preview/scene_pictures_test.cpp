@@ -11,6 +11,7 @@
 #include "bakers/preview/make_preview.h"
 #include "tests/preview/captions.h"
 #include "tests/support/atmospheres.h"
+#include "tests/support/outcomes.h"
 
 namespace skybake {
 namespace {
@@ -30,10 +31,8 @@ PreviewAssets baked_scene() {
         "[bake.fine]\nasset = \"cloud_volume\"\ncloud = \"low\"\nsize = [32, 20, 10]\n"
         "[bake.veil]\nasset = \"cloud_volume\"\ncloud = \"high\"\nsize = [16, 16, 8]\n",
         {});
-    auto baked =
-        bake_assets(recipe, recipe.parameters.bakes, "test", {1, Certification::off, nullptr});
-    for (const auto& diagnostic : baked.diagnostics) ADD_FAILURE() << diagnostic.message;
-    return baked.value ? std::move(*baked.value) : PreviewAssets();
+    return test::without_diagnostics(
+        bake_assets(recipe, recipe.parameters.bakes, "test", {1, Certification::off, nullptr}));
 }
 
 PreviewOptions small() {
@@ -41,10 +40,6 @@ PreviewOptions small() {
     options.picture_size = {{64, 36}};
     options.threads = 1;
     return options;
-}
-
-bool says(const PreviewPicture& picture, const std::string& words) {
-    return picture.caption.find(words) != std::string::npos;
 }
 
 TEST(ScenePictures, ShowEachCloudOnceAtItsAltitude) {
@@ -65,9 +60,9 @@ TEST(ScenePictures, ShowEachCloudOnceAtItsAltitude) {
         EXPECT_EQ(picture.picture.width, 64);
         EXPECT_EQ(picture.picture.height, 36);
         EXPECT_EQ(picture.kind, PictureKind::scene);
-        EXPECT_TRUE(says(picture, "fine from 1 to 1.7 km and veil from 5 to 5.5 km"));
-        EXPECT_TRUE(says(picture, "the recipe's atmosphere"));
-        EXPECT_TRUE(says(picture, "no pattern repeats"));
+        EXPECT_TRUE(test::says(picture, "fine from 1 to 1.7 km and veil from 5 to 5.5 km"));
+        EXPECT_TRUE(test::says(picture, "the recipe's atmosphere"));
+        EXPECT_TRUE(test::says(picture, "no pattern repeats"));
     }
     // Neither layer alone gives the picture of both.
     for (const CloudPreviewInput& layer : layers) {
@@ -88,7 +83,8 @@ TEST(ScenePictures, ObeyTheCamera) {
     const auto pictures = scene_pictures(scene_input(assets, options), 1);
     ASSERT_EQ(pictures.size(), 2U);
     for (const PreviewPicture& picture : pictures) {
-        EXPECT_TRUE(says(picture, "position=1.5km,1km,3km heading=20deg pitch=-10deg fov=40deg"))
+        EXPECT_TRUE(
+            test::says(picture, "position=1.5km,1km,3km heading=20deg pitch=-10deg fov=40deg"))
             << picture.caption;
     }
 }

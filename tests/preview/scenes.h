@@ -56,16 +56,6 @@ inline SceneFrame frame_from(const glm::dvec3& position, double elevation_degree
     return frame;
 }
 
-inline bool same_bits(const Image2<float>& a, const Image2<float>& b) {
-    return a.texels.size() == b.texels.size() &&
-           std::memcmp(a.texels.data(), b.texels.data(), a.texels.size() * sizeof(float)) == 0;
-}
-
-inline const Sky& earth() {
-    static const Sky sky = sky_of("earth_hillaire");
-    return sky;
-}
-
 inline Image2<float> picture_of(const std::vector<SceneLayer>& layers, const SunDirection& sun,
                                 const SceneFrame& frame) {
     SceneRenderer renderer(layers, {earth().medium, earth().tables}, sun, 1);

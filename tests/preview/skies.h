@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <string>
 #include <vector>
 
@@ -12,6 +11,7 @@
 #include "bakers/io/manifest/metadata.h"
 #include "bakers/render/sky_view.h"
 #include "tests/support/atmospheres.h"
+#include "tests/support/outcomes.h"
 
 namespace skybake::test {
 
@@ -27,22 +27,15 @@ struct Sky {
 inline void bake_tables(Sky& sky) {
     for (const config::Bake& bake : sky.recipe.parameters.bakes) {
         if (bake.name != "transmittance" && bake.name != "multiple_scattering") continue;
-        const auto baked = bake_asset(sky.recipe, bake, {1, Certification::off, nullptr});
-        if (!baked.value) {
-            for (const config::Diagnostic& diagnostic : baked.diagnostics) {
-                ADD_FAILURE() << bake.name << ": " << diagnostic.message;
-            }
-            return;
-        }
+        const Baked baked =
+            test::without_errors(bake_asset(sky.recipe, bake, {1, Certification::off, nullptr}));
         PreviewAsset& asset =
             bake.name == "transmittance" ? sky.transmittance : sky.multiple_scattering;
-        asset.entry = describe(*baked.value);
-        asset.table = baked.value->image();
+        asset.entry = describe(baked);
+        asset.table = baked.image();
     }
     sky.medium = make_sky_medium(sky.recipe.parameters.atmosphere);
-    auto tables = make_sky_tables(sky.transmittance, &sky.multiple_scattering);
-    EXPECT_TRUE(tables.value);
-    if (tables.value) sky.tables = std::move(*tables.value);
+    sky.tables = test::without_errors(make_sky_tables(sky.transmittance, &sky.multiple_scattering));
 }
 
 // A preset's sky from tables of the default sizes, but for `settings`.
@@ -83,6 +76,11 @@ inline SkyView panorama(int width, double altitude_km, double sun_elevation_degr
     view.height = width / 2;
     view.lowest_degrees = -90;
     return view;
+}
+
+inline const Sky& earth() {
+    static const Sky sky = sky_of("earth_hillaire");
+    return sky;
 }
 
 }  // namespace skybake::test

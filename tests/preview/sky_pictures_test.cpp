@@ -9,10 +9,7 @@
 namespace skybake {
 namespace {
 
-const test::Sky& earth() {
-    static const test::Sky sky = test::sky_of("earth_hillaire");
-    return sky;
-}
+using test::earth;
 
 std::vector<PreviewPicture> pictures_of(const test::Sky& sky, const SkyPreviewOptions& options) {
     return sky_pictures(sky.recipe.parameters.atmosphere, sky.transmittance,

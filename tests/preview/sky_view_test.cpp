@@ -20,10 +20,7 @@
 namespace skybake {
 namespace {
 
-const test::Sky& earth() {
-    static const test::Sky sky = test::sky_of("earth_hillaire");
-    return sky;
-}
+using test::earth;
 
 // Every path of the kernel: exponential and piecewise layers, forward and backward phases, both
 // mappings of both tables, both contents, one channel.

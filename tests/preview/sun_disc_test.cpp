@@ -12,12 +12,9 @@
 namespace skybake {
 namespace {
 
-constexpr double kRadians = std::numbers::pi / 180;
+using test::earth;
 
-const test::Sky& earth() {
-    static const test::Sky sky = test::sky_of("earth_hillaire");
-    return sky;
-}
+constexpr double kRadians = std::numbers::pi / 180;
 
 // A picture of the sun alone, around azimuth 0.
 Image2<float> picture_of(const SkyView& view, Glare glare) {

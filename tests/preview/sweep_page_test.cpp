@@ -10,6 +10,7 @@
 #include "bakers/preview/sweep_table.h"
 #include "tests/io/files.h"
 #include "tests/plot/pixels.h"
+#include "tests/support/outcomes.h"
 
 namespace skybake {
 namespace {
@@ -54,10 +55,7 @@ PreviewSweep loaded(const json& sweep, const std::string& times = "") {
     const TemporaryFolder folder;
     write_bytes(folder / "sweep.json", sweep.dump());
     if (!times.empty()) write_bytes(folder / "timing.csv", times);
-    auto read = load_sweep(folder.path());
-    if (read.value) return std::move(*read.value);
-    ADD_FAILURE() << read.diagnostics.at(0).message;
-    return {};
+    return test::without_errors(load_sweep(folder.path()));
 }
 
 TEST(LoadSweep, KnowsThePlacesOfVariantsAndWhatWasMeasured) {

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdlib>
 #include <string>
-#include <vector>
 
 #include "bakers/preview/pictures/asset_pictures.h"
 

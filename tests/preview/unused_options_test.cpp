@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "tests/support/outcomes.h"
+
 namespace skybake {
 namespace {
 
@@ -68,9 +70,7 @@ TEST(UnusedOptions, OfASweepAreThoseOfItsContactSheet) {
 }
 
 config::Recipe recipe_of(const std::string& text) {
-    auto recipe = config::parse_recipe(text, "test.toml");
-    for (const auto& diagnostic : recipe.diagnostics) ADD_FAILURE() << diagnostic.message;
-    return recipe.value ? std::move(*recipe.value) : config::Recipe{};
+    return test::without_diagnostics(config::parse_recipe(text, "test.toml"));
 }
 
 // A preview warns of what a recipe asks for in vain; a cloud's preset may ask for it.

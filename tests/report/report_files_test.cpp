@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-
 #include "tests/config/recipes.h"
 #include "tests/report/sample_rows.h"
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "bakers/air/particles/phase_function.h"
 #include "bakers/light/solver/solution_levels.h"
 #include "bakers/light/solver/solved_light.h"
 #include "bakers/light/solver/transport.h"

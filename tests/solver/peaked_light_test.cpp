@@ -1,6 +1,5 @@
 // Skies of haze and fog, whose phase functions have forward peaks, against light that was traced
 // path by path (tests/data/truth_sky_*.csv, made by sky_truths).
-#include "bakers/light/solver/peaked_light.h"
 
 #include <gtest/gtest.h>
 
@@ -14,6 +13,7 @@
 #include "bakers/air/forward_peak.h"
 #include "bakers/light/sky_light.h"
 #include "bakers/light/solver/needed_degrees.h"
+#include "bakers/light/solver/solve_light.h"
 #include "bakers/math/parallel.h"
 #include "tests/light/sky_media.h"
 #include "tests/support/sky_truth.h"

@@ -19,10 +19,6 @@ namespace {
 
 using test::hold;
 
-SkyMedium preset(const std::string& name, const std::vector<std::string>& settings = {}) {
-    return make_sky_medium(test::preset_atmosphere(name, settings));
-}
-
 SkyMedium rayleigh_times(double factor, const std::vector<std::string>& settings = {}) {
     config::Atmosphere atmosphere = test::preset_atmosphere("earth_hillaire", settings);
     for (config::Layer& layer : atmosphere.layers) {
@@ -82,7 +78,7 @@ TEST(ScatteringHardCase, Case07NothingAbsorbs) {
 TEST(ScatteringHardCase, Case08Peaks) {
     for (const char* g : {"0.999", "0.95", "0", "-0.9"}) {
         const SkyMedium medium =
-            preset("earth_hillaire", {std::string("atmosphere.layers.mie.g=") + g});
+            test::preset_sky("earth_hillaire", {std::string("atmosphere.layers.mie.g=") + g});
         hold_energy(std::string("8 Cornette-Shanks g = ") + g, medium,
                     g == std::string("0.999") ? 3e-2 : 1e-2);
     }
@@ -104,25 +100,25 @@ TEST(ScatteringHardCase, Case08Spheres) {
 }
 
 TEST(ScatteringHardCase, Case09And10NothingAndThinLayers) {
-    const SkyMedium nothing = preset("vacuum");
+    const SkyMedium nothing = test::preset_sky("vacuum");
     hold("9 no layers at all", "finite and not negative (count)",
          count_bad(solve_light(nothing, {}, 0)), 0);
     const SkyMedium fog =
-        preset("earth_hillaire", {"atmosphere.layers.fog.profile=\"slab\"",
-                                  "atmosphere.layers.fog.bottom_altitude=\"200 m\"",
-                                  "atmosphere.layers.fog.top_altitude=\"201 m\"",
-                                  "atmosphere.layers.fog.scattering=\"0.3 /m\"",
-                                  "atmosphere.layers.fog.phase=\"isotropic\""});
+        test::preset_sky("earth_hillaire", {"atmosphere.layers.fog.profile=\"slab\"",
+                                            "atmosphere.layers.fog.bottom_altitude=\"200 m\"",
+                                            "atmosphere.layers.fog.top_altitude=\"201 m\"",
+                                            "atmosphere.layers.fog.scattering=\"0.3 /m\"",
+                                            "atmosphere.layers.fog.phase=\"isotropic\""});
     hold_energy("10 1 m of fog", fog, 1e-2);
 }
 
 TEST(ScatteringHardCase, Case11And12Planets) {
-    hold_energy("11 tiny planet", preset("tiny_planet"), 1e-2);
+    hold_energy("11 tiny planet", test::preset_sky("tiny_planet"), 1e-2);
     // The same air over ever larger planets: the sky no longer changes.
     const auto sky = [](const char* ground, const char* top) {
-        const SkyMedium medium =
-            preset("earth_hillaire", {std::string("atmosphere.ground_radius=\"") + ground + "\"",
-                                      std::string("atmosphere.top_radius=\"") + top + "\""});
+        const SkyMedium medium = test::preset_sky(
+            "earth_hillaire", {std::string("atmosphere.ground_radius=\"") + ground + "\"",
+                               std::string("atmosphere.top_radius=\"") + top + "\""});
         return radiance(medium, solve_light(medium, {}, 0), 50, 40, 60);
     };
     const Spectrum large = sky("63600 km", "63700 km");
@@ -133,7 +129,7 @@ TEST(ScatteringHardCase, Case11And12Planets) {
 }
 
 TEST(ScatteringHardCase, Case13SunBelowTheHorizon) {
-    const SkyMedium medium = preset("earth_hillaire");
+    const SkyMedium medium = test::preset_sky("earth_hillaire");
     const SolvedLight light = solve_light(medium, {}, 0);
     double rises = 0;
     Spectrum last(std::numeric_limits<double>::infinity());
@@ -147,7 +143,7 @@ TEST(ScatteringHardCase, Case13SunBelowTheHorizon) {
 }
 
 TEST(ScatteringHardCase, Case14Azimuths) {
-    const SkyMedium medium = preset("earth_hillaire");
+    const SkyMedium medium = test::preset_sky("earth_hillaire");
     const SolvedLight light = solve_light(medium, {}, 0);
     double worst = 0;
     for (const double azimuth : {0.0, 33.0, 90.0, 180.0}) {
@@ -171,7 +167,7 @@ TEST(ScatteringHardCase, Case14Azimuths) {
 }
 
 TEST(ScatteringHardCase, Case15CamerasAtTheEnds) {
-    const SkyMedium medium = preset("earth_hillaire");
+    const SkyMedium medium = test::preset_sky("earth_hillaire");
     const SolvedLight light = solve_light(medium, {}, 0);
     double worst = 0;
     for (const double sun : {20.0, 89.0, 94.0}) {
@@ -209,8 +205,8 @@ TEST(ScatteringHardCase, Case18And19OrdersAndGround) {
     double mean[4];
     const double albedos[4] = {0, 0.3, 0.6, 0.9};
     for (int i = 0; i < 4; ++i) {
-        const SkyMedium lit =
-            preset("earth_hillaire", {"atmosphere.ground_albedo=" + std::to_string(albedos[i])});
+        const SkyMedium lit = test::preset_sky(
+            "earth_hillaire", {"atmosphere.ground_albedo=" + std::to_string(albedos[i])});
         SolverSettings fine;
         fine.degree = 2;
         fine.tolerance = 1e-6;

@@ -28,10 +28,6 @@ SolverSettings coarse() {
     return settings;
 }
 
-SkyMedium preset(const std::string& name, const std::vector<std::string>& settings = {}) {
-    return make_sky_medium(test::preset_atmosphere(name, settings));
-}
-
 RC_GTEST_PROP(SolvedLight, IsFiniteAndNotNegative, ()) {
     const SkyMedium medium = make_sky_medium(test::random_atmosphere());
     const SolvedLight light = solve_light(medium, coarse(), 1);
@@ -146,9 +142,10 @@ TEST(SolvedLight, LosesNoEnergy) {
     for (const std::string name :
          {"earth_hillaire", "earth_bruneton", "mars_rgb", "tiny_planet", "dense_earth"}) {
         // All but one over ground of a colour, whose channels must not take each other's share.
-        const SkyMedium medium = name == "earth_hillaire"
-                                     ? preset(name)
-                                     : preset(name, {"atmosphere.ground_albedo=[0.05, 0.9, 0.4]"});
+        const SkyMedium medium =
+            name == "earth_hillaire"
+                ? test::preset_sky(name)
+                : test::preset_sky(name, {"atmosphere.ground_albedo=[0.05, 0.9, 0.4]"});
         const EnergyBalance balance = energy_balance(medium, solve_light(medium, {}, 0));
         EXPECT_LT(balance.largest_error(), 0.01) << name;
         EXPECT_GT(balance.in[2], 0) << name;
@@ -156,7 +153,7 @@ TEST(SolvedLight, LosesNoEnergy) {
 }
 
 TEST(SolvedLight, DoesNotDependOnThreads) {
-    const SkyMedium medium = preset("mars_rgb");
+    const SkyMedium medium = test::preset_sky("mars_rgb");
     const SolvedLight one = solve_light(medium, coarse(), 1);
     const SolvedLight three = solve_light(medium, coarse(), 3);
     EXPECT_EQ(one.light.moments, three.light.moments);
@@ -254,7 +251,7 @@ TEST(SolvedLight, EachChannelIsThatOfItsWavelengthAlone) {
 
 // Air that does next to nothing: the ground's light alone, half of all directions.
 TEST(SolvedLight, OfThinAirIsTheGrounds) {
-    const SkyMedium medium = preset(
+    const SkyMedium medium = test::preset_sky(
         "earth_hillaire",
         {"atmosphere.layers.mie.enabled=false", "atmosphere.layers.ozone.enabled=false",
          "atmosphere.ground_albedo=0.5", "atmosphere.layers.rayleigh.scattering=\"1e-12 /m\""});
@@ -266,7 +263,7 @@ TEST(SolvedLight, OfThinAirIsTheGrounds) {
 }
 
 TEST(SolvedLight, OfNothingIsNothing) {
-    const SkyMedium medium = preset("vacuum", {"atmosphere.ground_albedo=0"});
+    const SkyMedium medium = test::preset_sky("vacuum", {"atmosphere.ground_albedo=0"});
     const SolvedLight light = solve_light(medium, coarse(), 1);
     for (const double value : light.light.moments) EXPECT_EQ(value, 0);
 }
@@ -274,10 +271,10 @@ TEST(SolvedLight, OfNothingIsNothing) {
 // The order series and the search for directions end at the same light.
 TEST(SolvedLight, SearchFindsTheSumOfOrders) {
     const SkyMedium medium =
-        preset("earth_hillaire",
-               {"atmosphere.layers.mie.enabled=false",
-                "atmosphere.layers.rayleigh.scattering=[\"2e-5 /m\", \"5e-5 /m\", \"1e-4 "
-                "/m\"]"});
+        test::preset_sky("earth_hillaire",
+                         {"atmosphere.layers.mie.enabled=false",
+                          "atmosphere.layers.rayleigh.scattering=[\"2e-5 /m\", \"5e-5 /m\", \"1e-4 "
+                          "/m\"]"});
     SolverSettings search = coarse();
     search.tolerance = 1e-6;
     SolverSettings plain = search;

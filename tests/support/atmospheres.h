@@ -8,16 +8,13 @@
 
 #include "bakers/air/medium.h"
 #include "config/recipe/recipe.h"
+#include "tests/support/outcomes.h"
 
 namespace skybake::test {
 
 inline config::Recipe recipe_of(const std::string& text,
                                 const std::vector<std::string>& settings = {}) {
-    const auto outcome = config::parse_recipe(text, "test.toml", {}, settings);
-    for (const config::Diagnostic& diagnostic : outcome.diagnostics) {
-        if (diagnostic.severity == config::Severity::error) ADD_FAILURE() << diagnostic.message;
-    }
-    return outcome.value.value_or(config::Recipe{});
+    return test::without_errors(config::parse_recipe(text, "test.toml", {}, settings));
 }
 
 inline Medium preset_medium(const std::string& name,

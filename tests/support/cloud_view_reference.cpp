@@ -1,7 +1,6 @@
 #include "tests/support/cloud_view_reference.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "bakers/occupancy/cell_grid.h"
 #include "bakers/render/cloud_camera.h"
@@ -63,8 +62,7 @@ double depth_towards_sun(const CloudMedium& medium, const VoxelPlace& from, cons
 }  // namespace
 
 ReferenceRay reference_ray(const CloudMedium& medium, const DiffuseShare& diffuse,
-                           const CloudViewSettings& settings, const glm::dvec3& direction,
-                           int steps) {
+                           const MarchSettings& settings, const glm::dvec3& direction, int steps) {
     const RaySpan span =
         span_in_layer(medium, settings.camera.position_m, direction, settings.reach_m);
     ReferenceRay result;

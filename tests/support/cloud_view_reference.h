@@ -2,8 +2,7 @@
 // against. No leaps, no light that two samples share, samples in the middle of their steps.
 #pragma once
 
-#include "bakers/render/cloud_camera.h"
-#include "bakers/render/cloud_view.h"
+#include "tests/support/cloud_marches.h"
 
 namespace skybake {
 
@@ -19,7 +18,6 @@ struct ReferenceRay {
 
 // `steps` samples over the ray's span in the layer, and from each as many over its way to the sun.
 ReferenceRay reference_ray(const CloudMedium& medium, const DiffuseShare& diffuse,
-                           const CloudViewSettings& settings, const glm::dvec3& direction,
-                           int steps);
+                           const MarchSettings& settings, const glm::dvec3& direction, int steps);
 
 }  // namespace skybake

@@ -20,8 +20,6 @@
 namespace skybake {
 namespace {
 
-using config::Compression;
-
 static_assert(std::endian::native == std::endian::little,
               "texels are stored as they lie in memory");
 

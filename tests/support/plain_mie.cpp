@@ -1,7 +1,6 @@
 #include "tests/support/plain_mie.h"
 
 #include <cassert>
-#include <cmath>
 
 #include "bakers/math/transcendental.h"
 

@@ -12,6 +12,7 @@
 #include "bakers/assets/registry/registry.h"
 #include "bakers/field/baked.h"
 #include "bakers/math/intermediates.h"
+#include "tests/support/outcomes.h"
 
 namespace skybake::test {
 
@@ -28,10 +29,7 @@ class SharedBakes {
 
     // Bakes an asset that no diagnostic is said about.
     Baked baked(const config::Recipe& recipe, const config::Bake& bake) {
-        auto made = outcome(recipe, bake);
-        EXPECT_TRUE(made.value) << bake.name;
-        for (const config::Diagnostic& found : made.diagnostics) ADD_FAILURE() << found.message;
-        return made.value ? std::move(*made.value) : Baked{};
+        return test::without_diagnostics(outcome(recipe, bake));
     }
 
     // How many things were made for the bakes.

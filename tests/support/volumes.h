@@ -19,17 +19,11 @@ class FunctionVoxels : public VoxelSource {
     explicit FunctionVoxels(Function function) : function_(std::move(function)) {}
 
     void fill(const VoxelBox& box, const std::vector<float*>& channels) const override {
-        for (std::size_t c = 0; c < channels.size(); ++c) {
-            if (channels[c] == nullptr) continue;
-            float* out = channels[c];
-            for (int z = box.origin[2]; z < box.origin[2] + box.size[2]; ++z) {
-                for (int y = box.origin[1]; y < box.origin[1] + box.size[1]; ++y) {
-                    for (int x = box.origin[0]; x < box.origin[0] + box.size[0]; ++x) {
-                        *out++ = function_(x, y, z, static_cast<int>(c));
-                    }
-                }
+        fill_rows(box, channels, [&](std::size_t c, int y, int z, float* out) {
+            for (int x = 0; x < box.size[0]; ++x) {
+                out[x] = function_(box.origin[0] + x, y, z, static_cast<int>(c));
             }
-        }
+        });
     }
 
   private:

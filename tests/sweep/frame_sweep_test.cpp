@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include "bakers/assets/registry/registry.h"
-#include "bakers/workspace/sweep/run_sweep.h"
 #include "tests/sweep/sweeps.h"
 
 namespace skybake {

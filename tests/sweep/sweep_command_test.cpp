@@ -1,4 +1,4 @@
-// `skybake sweep` from outside: exit codes, words, scripts, and a process that is killed.
+// `skybake sweep` from outside: exit codes, words, tasks, and a process that is killed.
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/stat.h>
@@ -169,13 +169,10 @@ TEST(SweepCommand, RefusesWhatMakesNoSense) {
         EXPECT_EQ(with({"--shard", shard}), 2) << shard;
     }
     EXPECT_EQ(with({"--shard", "1/2", "--merge"}), 2);
-    EXPECT_EQ(with({"--emit", "slurm", "--merge"}), 2);
+    EXPECT_EQ(with({"--emit", "commands", "--merge"}), 2);
+    EXPECT_EQ(with({"--emit", "slurm"}), 2);
     EXPECT_EQ(with({"--emit", "commands", "--tasks", "0"}), 2);
     EXPECT_EQ(with({"--emit", "commands", "--set", "preset=a\nb"}), 2);
-    EXPECT_EQ(with({"--emit", "openjd", "--set", "preset={{a}}"}), 2);
-    EXPECT_EQ(with({"--emit", "kubernetes"}), 2);
-    EXPECT_EQ(with({"--emit", "slurm", "--image", "i"}), 2);
-    EXPECT_EQ(with({"--image", "i"}), 2);
     EXPECT_EQ(with({"-j", "0"}), 2);
     EXPECT_EQ(with({"--max-memory", "much"}), 2);
     EXPECT_FALSE(fs::exists(folder.out()));
@@ -223,7 +220,7 @@ TEST(SweepCommand, TellsMachines) {
     EXPECT_EQ(events, (Strings{"sweep", "variant", "variant", "swept"}));
 }
 
-TEST(SweepScripts, WordsSurviveTheShell) {
+TEST(SweepTasks, WordsSurviveTheShell) {
     EXPECT_EQ(shell_word("clouds.c.coverage=0.2:0.8:4"), "clouds.c.coverage=0.2:0.8:4");
     EXPECT_EQ(shell_word(""), "''");
     EXPECT_EQ(shell_word("1 km"), "'1 km'");
@@ -231,7 +228,7 @@ TEST(SweepScripts, WordsSurviveTheShell) {
 }
 
 // Every line is run by a shell as it stands; together they and the merge are the sweep.
-TEST(SweepScripts, CommandsAreTheSweep) {
+TEST(SweepTasks, CommandsAreTheSweep) {
     const Folder folder;
     const Strings vary = {"--vary", "clouds.c.base_altitude=1 km,'2 km',3 km"};
     const auto with = [&](Strings words, const std::string& out) {
@@ -253,104 +250,9 @@ TEST(SweepScripts, CommandsAreTheSweep) {
     EXPECT_EQ(files_below(folder.out("it's parts")), files_below(folder.out("whole")));
 }
 
-// Runs a command of Open Job Description as a worker does, with the task's parameter filled in.
-int run_openjd(const nlohmann::json& script, const std::string& shard) {
-    const nlohmann::json& run = script["actions"]["onRun"];
-    std::string line = shell_word(run["command"].get<std::string>());
-    for (const std::string word : run["args"]) {
-        line += ' ' + shell_word(std::regex_replace(
-                          word, std::regex("\\{\\{Task\\.Param\\.Shard\\}\\}"), shard));
-    }
-    return std::system((line + " -q >/dev/null").c_str());
-}
-
-// The steps of the template, in the order of their dependency, are the sweep with its index.
-TEST(SweepScripts, OpenJobTemplateIsTheSweep) {
-    const Folder folder;
-    const Strings vary = {"--vary", "clouds.c.base_altitude=1 km,'2 km',3 km"};
-    ASSERT_EQ(run_words({"sweep", folder.recipe, "-o", folder.out("whole"), vary[0], vary[1]}).code,
-              0);
-    const Result script =
-        testing::run_program({"sweep", folder.recipe, "-o", folder.out("it's parts"), vary[0],
-                              vary[1], "--emit", "openjd", "--tasks", "2", "-j", "3"});
-    ASSERT_EQ(script.code, 0) << script.error;
-    const auto job = nlohmann::json::parse(script.out);
-    EXPECT_EQ(job["specificationVersion"], "jobtemplate-2023-09");
-    const nlohmann::json& bake = job["steps"][0];
-    const nlohmann::json& merge = job["steps"][1];
-    EXPECT_EQ(bake["parameterSpace"]["taskParameterDefinitions"][0]["range"], "1-2");
-    EXPECT_EQ(bake["hostRequirements"]["amounts"][0]["min"], 3);
-    EXPECT_EQ(merge["dependencies"][0]["dependsOn"], bake["name"]);
-    for (const char* shard : {"2", "1"}) EXPECT_EQ(run_openjd(bake["script"], shard), 0);
-    EXPECT_EQ(run_openjd(merge["script"], ""), 0);
-    EXPECT_EQ(files_below(folder.out("it's parts")), files_below(folder.out("whole")));
-}
-
-// Kubernetes replaces $(NAME) and $$ in a container's command before the shell sees it.
-TEST(SweepScripts, KubernetesLeavesDollarsAlone) {
-    const Folder folder;
-    const Result script = testing::run_program(
-        {"sweep", folder.recipe, "-o", folder.out("a$(HOME) $$b $c"), "--vary", "noise.n.seed=1,2",
-         "--emit", "kubernetes", "--image", "registry/skybake"});
-    ASSERT_EQ(script.code, 0) << script.error;
-    const auto job = nlohmann::json::parse(script.out);
-    const nlohmann::json& container = job["spec"]["template"]["spec"]["containers"][0];
-    std::string command = container["command"][2];
-    // Expands as Kubernetes does (k8s.io, "Define a Command"): $$ is $, and an unknown name stays.
-    std::string expanded;
-    for (std::size_t i = 0; i < command.size(); ++i) {
-        EXPECT_FALSE(command.substr(i).starts_with("$(HOME)") && (i == 0 || command[i - 1] != '$'));
-        if (command.substr(i, 2) == "$$") ++i;
-        expanded += command[i];
-    }
-    expect_has(expanded,
-               {shell_word(folder.out("a$(HOME) $$b $c")), "$((JOB_COMPLETION_INDEX + 1))"});
-}
-
-// Its containers find the program in PATH and their number in JOB_COMPLETION_INDEX.
-TEST(SweepScripts, KubernetesJobIsTheSweep) {
-    const Folder folder;
-    const Strings words = {"--vary", "noise.n.seed=1,2,3"};
-    const auto with = [&](const std::string& out, const Strings& more) {
-        Strings all = {"sweep", folder.recipe, "-o", folder.out(out), words[0], words[1]};
-        all.insert(all.end(), more.begin(), more.end());
-        return testing::run_program(all);
-    };
-    ASSERT_EQ(with("whole", {}).code, 0);
-    const Result script = with("it's parts", {"--emit", "kubernetes", "--tasks", "2", "--image",
-                                              "registry/skybake", "--cache-dir", "/a/cache"});
-    ASSERT_EQ(script.code, 0) << script.error;
-    EXPECT_TRUE(contains(script.error, "--merge")) << script.error;
-    const auto job = nlohmann::json::parse(script.out);
-    EXPECT_EQ(job["spec"]["completionMode"], "Indexed");
-    EXPECT_EQ(job["spec"]["completions"], 2);
-    const nlohmann::json& pod = job["spec"]["template"]["spec"];
-    const nlohmann::json& container = pod["containers"][0];
-    EXPECT_EQ(container["image"], "registry/skybake");
-    // The recipe's folder holds that of the sweep.
-    Strings mounts;
-    for (const nlohmann::json& mount : container["volumeMounts"]) {
-        EXPECT_EQ("/" + mount["subPath"].get<std::string>(), mount["mountPath"]);
-        EXPECT_EQ(mount["name"], pod["volumes"][0]["name"]);
-        mounts.push_back(mount["mountPath"]);
-    }
-    EXPECT_EQ(mounts, (Strings{"/a/cache", folder.folder.path().string()}));
-    const std::string path = fs::path(SKYBAKE_PROGRAM).parent_path().string();
-    std::string command = container["command"][2];
-    command = std::regex_replace(command, std::regex(" --cache-dir /a/cache"), "");
-    for (const char* index : {"0", "1"}) {
-        const std::string run = "PATH=" + shell_word(path) +
-                                ":$PATH JOB_COMPLETION_INDEX=" + index + " sh -c " +
-                                shell_word(command) + " >/dev/null 2>&1";
-        EXPECT_EQ(std::system(run.c_str()), 0) << run;
-    }
-    EXPECT_EQ(with("it's parts", {"--merge"}).code, 0);
-    EXPECT_EQ(files_below(folder.out("it's parts")), files_below(folder.out("whole")));
-}
-
 // A farm starts its tasks in folders of its own, by one of these programs; the paths of the recipe
 // and the sweep were relative, with a quote and blanks in them.
-TEST(SweepScripts, CommandsRunFromAnyFolder) {
+TEST(SweepTasks, CommandsRunFromAnyFolder) {
     const Folder folder;
     const auto in_folder = [&] {
         if (::chdir(folder.folder.path().c_str()) != 0) ::_exit(125);
@@ -385,112 +287,6 @@ TEST(SweepScripts, CommandsRunFromAnyFolder) {
         EXPECT_EQ(files_below(folder.out(out)), files_below(folder.out("whole"))) << engine;
     }
     EXPECT_TRUE(fs::is_empty(folder.folder / "elsewhere"));
-}
-
-TEST(SweepScripts, SlurmGetsAnArrayAndADependentMerge) {
-    const Folder folder;
-    const Result script =
-        folder.sweep({"--vary", "noise.n.seed=1:12:12", "--emit", "slurm", "-j", "3"});
-    ASSERT_EQ(script.code, 0) << script.error;
-    for (const char* line :
-         {"#!/usr/bin/env bash\n", "\n#SBATCH --array=1-12\n", "\n#SBATCH --cpus-per-task=3\n",
-          "\n#SBATCH --requeue\n", " -j 3 --shard \"$SLURM_ARRAY_TASK_ID\"/12\n",
-          "--dependency=\"afterany:${tasks%%;*}\"", " --merge\n"}) {
-        EXPECT_TRUE(contains(script.out, line)) << line << " in\n" << script.out;
-    }
-    write_bytes(folder.folder / "script.sh", script.out);
-    EXPECT_EQ(std::system(("bash -n " + (folder.folder / "script.sh").string()).c_str()), 0);
-}
-
-TEST(SweepScripts, NinjaEscapesPaths) {
-    SweepScript script;
-    script.words = {"skybake", "sweep", "a $b.toml"};
-    script.folder = "out $1";
-    script.variants = 3;
-    script.tasks = 2;
-    script.inputs = {"a $b.toml", "c:d.png"};
-    script.names = {"0_a", "1_b", "2_c"};
-    const std::string text = ninja_file(script);
-    expect_has(text, {"command = skybake sweep 'a $$b.toml' -j 1 --shard $task/2 && ",
-                      "build out$ $$1/0_a/ninja.stamp out$ $$1/2_c/ninja.stamp: task |"
-                      " a$ $$b.toml c$:d.png\n  task = 1\n",
-                      ": merge | out$ $$1/0_a/ninja.stamp out$ $$1/2_c/ninja.stamp"
-                      " out$ $$1/1_b/ninja.stamp\n"});
-}
-
-struct NinjaRun {
-    bool succeeded = false;
-    std::string out;
-};
-
-NinjaRun run_ninja(const Folder& folder, const std::string& script) {
-    const std::string log = (folder.folder / "log").string();
-    const std::string place = shell_word(folder.folder.path().string());
-    const std::string command =
-        "cd " + place + " && ninja -j2 -f " + shell_word(script) + " >" + shell_word(log) + " 2>&1";
-    const bool succeeded = std::system(command.c_str()) == 0;
-    return {succeeded, testing::read_bytes(log)};
-}
-
-std::string ninja_script(const Folder& folder, const std::string& values) {
-    const Result script =
-        testing::run_program({"sweep", folder.recipe, "-o", folder.out("it's $out"), "--vary",
-                              values, "--emit", "ninja", "--tasks", "2"});
-    EXPECT_EQ(script.code, 0) << script.error;
-    const fs::path file = folder.folder / "sweep.ninja";
-    write_bytes(file, script.out);
-    return file.string();
-}
-
-bool has_ninja() { return std::system("ninja --version >/dev/null 2>&1") == 0; }
-
-void touch(const fs::path& file) { fs::last_write_time(file, fs::file_time_type::clock::now()); }
-
-TEST(SweepScripts, NinjaConverges) {
-    if (!has_ninja()) GTEST_SKIP();
-    const Folder folder;
-    const std::string script = ninja_script(folder, "noise.n.seed=1,2,3");
-    const auto converges = [&] {
-        const NinjaRun first = run_ninja(folder, script);
-        EXPECT_TRUE(first.succeeded) << first.out;
-        EXPECT_FALSE(contains(first.out, "no work to do")) << first.out;
-        const NinjaRun second = run_ninja(folder, script);
-        EXPECT_TRUE(contains(second.out, "no work to do")) << second.out;
-    };
-    converges();
-    touch(folder.recipe);
-    converges();
-    const fs::path variant = fs::path(folder.out("it's $out")) / "0001_seed=2";
-    fs::remove_all(variant);
-    converges();
-    EXPECT_TRUE(fs::exists(variant / "manifest.json"));
-}
-
-// Whatever fails, the index is written, and no later run takes the failure for done.
-TEST(SweepScripts, NinjaFailsUntilEveryVariantIsMade) {
-    if (!has_ninja()) GTEST_SKIP();
-    const Folder folder;
-    const std::string script =
-        ninja_script(folder, "noise.n.channels.Y.remap=[[0, 1, 0, 1], [0, 1, 0, 1e6]]");
-    const auto fails = [&] {
-        const NinjaRun result = run_ninja(folder, script);
-        EXPECT_FALSE(result.succeeded) << result.out;
-        expect_has(testing::read_bytes(folder.out("it's $out") + "/index.csv"), {"failed,\"E0402"});
-    };
-    const std::string as_float = "pixel_type = \"float\"\n";
-    std::string fitting = small_recipe + as_float;
-    fitting.insert(fitting.find("[bake.c]"), as_float);
-    const std::string& too_small = small_recipe;  // bakes half
-    write_bytes(folder.recipe, too_small);
-    fails();
-    fails();
-    write_bytes(folder.recipe, fitting);
-    EXPECT_TRUE(run_ninja(folder, script).succeeded);
-    EXPECT_TRUE(contains(run_ninja(folder, script).out, "no work to do"));
-    // Now with the files of a variant that was there.
-    write_bytes(folder.recipe, too_small);
-    fails();
-    fails();
 }
 
 pid_t start(const Strings& words) {

@@ -12,6 +12,7 @@
 #include "bakers/workspace/sweep/run_sweep.h"
 #include "config/recipe/recipe.h"
 #include "tests/io/files.h"
+#include "tests/support/outcomes.h"
 
 namespace skybake::testing {
 
@@ -46,11 +47,7 @@ inline SweepJob job_of(const std::filesystem::path& recipe, const std::vector<st
     job.folder = folder;
     config::SweepOptions options;
     options.vary = vary;
-    auto sweep = config::load_sweep(recipe, {}, options);
-    for (const config::Diagnostic& diagnostic : sweep.diagnostics) {
-        ADD_FAILURE() << diagnostic.message;
-    }
-    if (sweep.value) job.sweep = std::move(*sweep.value);
+    job.sweep = test::without_diagnostics(config::load_sweep(recipe, {}, options));
     return job;
 }
 

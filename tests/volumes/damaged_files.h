@@ -1,9 +1,10 @@
 // Damages the bytes of a file: the same seed gives the same damage everywhere.
 #pragma once
 
+#include <sys/resource.h>
+
 #include <algorithm>
 #include <cstdint>
-#include <limits>
 #include <string>
 
 #include "tests/io/files.h"
@@ -59,6 +60,13 @@ inline std::string damaged(std::string bytes, std::uint64_t seed) {
                 static_cast<char>(bytes[at % 2000 % bytes.size()] ^ 1 << random.next() % 8);
     }
     return bytes;
+}
+
+// The most memory that this process has had.
+inline long peak_kib() {
+    rusage usage{};
+    ::getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss;
 }
 
 }  // namespace skybake::testing

@@ -70,12 +70,6 @@ std::vector<Original> vdb_originals(const TemporaryFolder& folder) {
     return all;
 }
 
-long peak_kib() {
-    rusage usage{};
-    ::getrusage(RUSAGE_SELF, &usage);
-    return usage.ru_maxrss;
-}
-
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 
 struct Tally {
@@ -113,7 +107,7 @@ Tally read_damaged(const TemporaryFolder& folder, const std::vector<Original>& f
                    std::uint64_t first_seed, int count) {
     config::VolumeFile volume;
     volume.path = folder / "damaged.vdb";
-    const long before = peak_kib();
+    const long before = testing::peak_kib();
     Tally tally;
     for (int i = 0; i < count; ++i) {
         const std::uint64_t seed = first_seed + static_cast<std::uint64_t>(i);
@@ -133,7 +127,7 @@ Tally read_damaged(const TemporaryFolder& folder, const std::vector<Original>& f
         read_as_own(original, volume.path);
         tally.longest = std::max(tally.longest, processor_seconds() - begin);
     }
-    tally.grown_kib = peak_kib() - before;
+    tally.grown_kib = testing::peak_kib() - before;
     return tally;
 }
 

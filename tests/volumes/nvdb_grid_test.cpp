@@ -10,6 +10,7 @@
 #include "bakers/io/formats/format.h"
 #include "bakers/io/formats/nvdb/nvdb_source.h"
 #include "bakers/io/volumes/volume_reader.h"
+#include "tests/support/outcomes.h"
 #include "tests/support/volumes.h"
 #include "tests/volumes/vdb_files.h"
 
@@ -25,9 +26,7 @@ Handle converted(const FloatGrid& grid) {
 }
 
 FileVoxels opened(const std::filesystem::path& path, const std::string& grid = "density") {
-    const auto voxels = open_nvdb_grid(path, grid, VolumePart::voxels);
-    for (const auto& diagnostic : voxels.diagnostics) ADD_FAILURE() << diagnostic.message;
-    return voxels.value.value_or(FileVoxels{});
+    return test::without_diagnostics(open_nvdb_grid(path, grid, VolumePart::voxels));
 }
 
 // Expects that voxels of a box are those that NanoVDB's accessor finds.

@@ -11,6 +11,7 @@
 
 #include "bakers/io/formats/vdb/vdb_source.h"
 #include "tests/io/files.h"
+#include "tests/support/outcomes.h"
 
 namespace skybake::testing {
 
@@ -47,9 +48,7 @@ inline void write_grid(const openvdb::GridBase::Ptr& grid, const std::filesystem
 }
 
 inline FileVoxels opened(const std::filesystem::path& path, const std::string& grid = "density") {
-    const auto voxels = open_vdb_grid(path, grid, VolumePart::voxels);
-    for (const auto& diagnostic : voxels.diagnostics) ADD_FAILURE() << diagnostic.message;
-    return voxels.value.value_or(FileVoxels{});
+    return test::without_diagnostics(open_vdb_grid(path, grid, VolumePart::voxels));
 }
 
 // Expects that voxels of a box are those that OpenVDB's accessor finds.

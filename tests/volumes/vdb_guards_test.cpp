@@ -186,24 +186,18 @@ TEST(VdbGuards, BloscsOwnLengthsFit) {
     EXPECT_EQ(problem_of(with(tiny, head + 12, 8)), wrong) << "and so does the head say";
 }
 
-long peak_kib() {
-    rusage usage{};
-    ::getrusage(RUSAGE_SELF, &usage);
-    return usage.ru_maxrss;
-}
-
 // Lengths of half a gigabyte in a file of some kilobytes: of the first text of the metadata and of the
 // names of the grid.
 TEST(VdbGuards, LengthsOfTextsTakeNoMemory) {
     const std::string bytes = bytes_of(any_grid(kBackground));
     ASSERT_EQ(problem_of(bytes), "");
-    const long before = peak_kib();
+    const long before = testing::peak_kib();
     const std::string text = with(with(bytes, kMetadataCount, 1), kMetadataCount + 4, kHalfGiB);
     EXPECT_EQ(problem_of(text), "it ends early");
     EXPECT_EQ(problem_of(with(bytes, kGridName, kHalfGiB)), "it ends early");
     EXPECT_EQ(problem_of(with(bytes, kGridName + 11, kHalfGiB)), "it ends early");
     EXPECT_EQ(problem_of(with(bytes, kGridName + 31, kHalfGiB)), "it ends early");
-    EXPECT_LT(peak_kib() - before, 100 << 10);
+    EXPECT_LT(testing::peak_kib() - before, 100 << 10);
 }
 
 TEST(VdbGuards, SharedTreesAreRefused) {

@@ -4,11 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <bit>
-#include <cmath>
 
 #include "bakers/math/half_conversion.h"
 #include "tests/io/files.h"
 #include "tests/support/exr_image.h"
+#include "tests/support/outcomes.h"
 #include "tests/support/volumes.h"
 #include "tests/volumes/vdb_files.h"
 
@@ -80,9 +80,7 @@ void write_raw(const VolumeFile& volume, const std::array<std::size_t, 3>& axes)
 }
 
 SourceVoxels opened(const VolumeFile& volume) {
-    const auto source = open_volume(volume);
-    for (const auto& diagnostic : source.diagnostics) ADD_FAILURE() << diagnostic.message;
-    return source.value.value_or(SourceVoxels{});
+    return test::without_diagnostics(open_volume(volume));
 }
 
 float voxel_of(const SourceVoxels& source, const Size& at) {

@@ -28,8 +28,7 @@ constexpr std::size_t kTileAngles = 32;
 #endif
 
 HWY_BEFORE_NAMESPACE();
-namespace skybake {
-namespace HWY_NAMESPACE {
+namespace skybake::HWY_NAMESPACE {
 
 // The terms of a series are taken in blocks, and so are the spheres: the angular functions of one
 // block of terms at all angles of a tile stay in the cache while all spheres of a block use them,
@@ -189,8 +188,7 @@ void add_tile(std::span<const MieTerms> spheres, std::span<const double> weights
     }
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace skybake
+}  // namespace skybake::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE

@@ -21,8 +21,7 @@
 #include "bakers/math/transcendental.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace skybake {
-namespace HWY_NAMESPACE {
+namespace skybake::HWY_NAMESPACE {
 
 // The operations of ComplexNumber, in their order.
 struct ComplexLanes {
@@ -258,8 +257,7 @@ void all_series(std::span<const double> size_parameters, ComplexNumber index,
     }
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace skybake
+}  // namespace skybake::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif  // SKYBAKE_BAKERS_AIR_MIE_SERIES_INL_H_

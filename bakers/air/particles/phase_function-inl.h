@@ -9,8 +9,7 @@
 #include "bakers/math/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace skybake {
-namespace HWY_NAMESPACE {
+namespace skybake::HWY_NAMESPACE {
 
 // Returns (1 + g^2 - 2 g nu)^(3/2) without the cancellation that this formula has where g is near 1
 // and the light goes on almost straight.
@@ -34,8 +33,7 @@ HWY_INLINE Real closed_phase_value(typename LaneAccess<Real>::Number a,
            henyey_greenstein_denominator(g, one_minus, one_plus);
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace skybake
+}  // namespace skybake::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif  // SKYBAKE_BAKERS_AIR_PHASE_FUNCTION_INL_H_

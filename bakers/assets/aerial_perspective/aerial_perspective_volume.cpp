@@ -13,6 +13,7 @@
 
 #include "bakers/assets/sky/sky_asset.h"
 #include "bakers/field/finish_volume.h"
+#include "bakers/field/voxel_array.h"
 #include "bakers/light/sky_ray.h"
 #include "bakers/math/parallel.h"
 
@@ -127,59 +128,26 @@ void append_along(const SkyLight& light, const CameraRay& ray,
     result.insert(result.end(), values.begin(), values.end());
 }
 
-// All voxels, made when constructed: those of a ray share the way to them.
-class FroxelSource : public VoxelSource {
-  public:
-    FroxelSource(const FroxelChannels& froxels, const std::array<int, 3>& size,
-                 const BakeOptions& options)
-        : size_(size), values_(froxels.count()) {
-        std::vector<double> w;
-        for (int k = 0; k < size_[2]; ++k) w.push_back((k + 0.5) / size_[2]);
-        for (std::vector<float>& channel : values_) {
-            channel.resize(static_cast<std::size_t>(VoxelBox{{}, size_}.count()));
-        }
-        for_each_tile(size_[1], options, "froxels", [&](int y) {
-            for (int x = 0; x < size_[0]; ++x) {
-                const std::vector<double> ray =
-                    froxels.along((x + 0.5) / size_[0], (y + 0.5) / size_[1], w);
-                const double* value = ray.data();
-                for (int z = 0; z < size_[2]; ++z) {
-                    for (std::vector<float>& channel : values_) {
-                        channel[offset(x, y, z)] = static_cast<float>(*value++);
-                    }
-                }
-            }
-        });
-    }
-
-    void fill(const VoxelBox& box, const std::vector<float*>& channels) const override {
-        for (std::size_t c = 0; c < channels.size(); ++c) {
-            float* target = channels[c];
-            if (target == nullptr) continue;
-            for (int z = box.origin[2]; z < box.origin[2] + box.size[2]; ++z) {
-                for (int y = box.origin[1]; y < box.origin[1] + box.size[1]; ++y) {
-                    target = std::copy_n(values_[c].data() + offset(box.origin[0], y, z),
-                                         box.size[0], target);
+// Makes all voxels. Those of a ray share the way to them.
+VoxelArray make_froxels(const FroxelChannels& channels, const std::array<int, 3>& size,
+                        const BakeOptions& options) {
+    VoxelArray froxels(size, channels.count());
+    std::vector<double> w;
+    for (int k = 0; k < size[2]; ++k) w.push_back((k + 0.5) / size[2]);
+    for_each_tile(size[1], options, "froxels", [&](int y) {
+        for (int x = 0; x < size[0]; ++x) {
+            const std::vector<double> ray =
+                channels.along((x + 0.5) / size[0], (y + 0.5) / size[1], w);
+            const double* value = ray.data();
+            for (int z = 0; z < size[2]; ++z) {
+                for (std::size_t c = 0; c < froxels.channels(); ++c) {
+                    froxels.channel(c)[froxels.offset(x, y, z)] = static_cast<float>(*value++);
                 }
             }
         }
-    }
-
-    double largest(std::size_t channel) const {
-        return *std::ranges::max_element(values_[channel]);
-    }
-
-  private:
-    std::size_t offset(int x, int y, int z) const {
-        const auto width = static_cast<std::size_t>(size_[0]);
-        const auto height = static_cast<std::size_t>(size_[1]);
-        return (static_cast<std::size_t>(z) * height + static_cast<std::size_t>(y)) * width +
-               static_cast<std::size_t>(x);
-    }
-
-    std::array<int, 3> size_;
-    std::vector<std::vector<float>> values_;  // per channel, [z][y][x]
-};
+    });
+    return froxels;
+}
 
 std::string content_text(const AerialPerspectiveBake& bake, bool is_colored) {
     const std::string light = fmt::format(
@@ -301,7 +269,8 @@ Outcome<Baked> bake_aerial_perspective(const SkyLights& lights, const AerialPers
     const AerialCamera camera(bake, lights.first().shell());
     describe(bake, camera, lights, volume);
     const FroxelChannels channels(lights, camera, bake.content);
-    const auto froxels = std::make_shared<const FroxelSource>(channels, bake.size, options);
+    const auto froxels =
+        std::make_shared<const VoxelArray>(make_froxels(channels, bake.size, options));
     VolumeFinish finish;
     for (std::size_t c = 0; c < volume.channel_names.size(); ++c) {
         const double largest = froxels->largest(c);

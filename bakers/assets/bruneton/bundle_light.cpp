@@ -12,8 +12,7 @@
 #include "bakers/math/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace skybake {
-namespace HWY_NAMESPACE {
+namespace skybake::HWY_NAMESPACE {
 
 // r mu_s at a point, which suns that there are not may leave.
 HWY_INLINE Lanes sun_s_km(const PointOfRay& point, const SunBundle& suns, int i) {
@@ -59,8 +58,7 @@ void AddSunlight(const TransmittanceField& field, const ScatteringView& view,
     }
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace skybake
+}  // namespace skybake::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE

@@ -1,7 +1,6 @@
 #include "bakers/assets/bruneton/scattering_row.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 

@@ -1,7 +1,6 @@
 #include "bakers/assets/bruneton/scattering_table.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "bakers/air/particles/phase_function.h"

@@ -17,7 +17,6 @@
 #include "bakers/assets/sources/source_volume.h"
 #include "bakers/field/baked.h"
 #include "bakers/field/finish_volume.h"
-#include "bakers/field/pixel_type.h"
 #include "bakers/math/bake_clock.h"
 #include "bakers/occupancy/distance_volume.h"
 #include "bakers/occupancy/marcher.h"
@@ -31,7 +30,6 @@ namespace {
 
 using config::CloudDistanceBake;
 using config::DistanceContent;
-using occupancy::CellGrid;
 using occupancy::ChannelSource;
 using occupancy::DistanceCheckResult;
 using occupancy::DistanceCode;

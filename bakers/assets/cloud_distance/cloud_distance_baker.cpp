@@ -52,20 +52,11 @@ Estimate estimate(const Parameters& parameters, const CloudDistanceBake& asset) 
     return result;
 }
 
-// The edges of what the texels span, which may go on beyond the volume.
-Uvw spanned_m(const CloudVolumeBake& of, const CloudDistanceBake& asset, const Cloud& cloud) {
-    const std::array<int, 3> texels = CellGrid{of.size, asset.cell}.size();
-    Uvw extent_m = extent_m_of(cloud);
-    for (std::size_t i = 0; i < 3; ++i) {
-        extent_m[i] *= static_cast<double>(asset.cell) * texels[i] / of.size[i];
-    }
-    return extent_m;
-}
-
 AssetPlaces places(const Parameters& parameters, const CloudDistanceBake& asset,
                    const StoredTexels&) {
-    const Cloud cloud = spanned_cloud(parameters, source_volume(parameters, asset.of));
-    return cloud_places(cloud, spanned_m(source_volume(parameters, asset.of), asset, cloud));
+    const CloudVolumeBake& of = source_volume(parameters, asset.of);
+    const Cloud cloud = spanned_cloud(parameters, of);
+    return cloud_places(cloud, spanned_m({of.size, asset.cell}, cloud));
 }
 
 GlslFunction distance_function(const std::string& ends, const std::string& box) {
@@ -83,7 +74,7 @@ AssetLookup lookup(const Parameters& parameters, const CloudDistanceBake& asset,
                    const StoredTexels& stored) {
     const CloudVolumeBake& of = source_volume(parameters, asset.of);
     const Cloud cloud = spanned_cloud(parameters, of);
-    const Uvw spanned = spanned_m(of, asset, cloud);
+    const Uvw spanned = spanned_m({of.size, asset.cell}, cloud);
     const std::string corner = glsl_vector(corner_m_of(cloud));
     const std::string box =
         fmt::format("    vec3 corner = {}, box = {};\n", corner, glsl_vector(spanned));

@@ -6,7 +6,6 @@
 // Each shades the others, and what lies behind a layer is dimmed by it.
 #pragma once
 
-#include <array>
 #include <optional>
 #include <span>
 #include <vector>

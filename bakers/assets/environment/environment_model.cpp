@@ -1,7 +1,6 @@
 #include "bakers/assets/environment/environment_model.h"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <limits>
 #include <numbers>

@@ -6,9 +6,6 @@
 // nodes along each axis.
 #pragma once
 
-#include <array>
-#include <vector>
-
 #include "bakers/field/image.h"
 #include "bakers/field/table_model.h"
 #include "bakers/light/sky_view_mapping.h"

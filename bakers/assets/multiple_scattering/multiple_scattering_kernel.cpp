@@ -12,8 +12,7 @@
 #include "bakers/math/transcendental-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace skybake {
-namespace HWY_NAMESPACE {
+namespace skybake::HWY_NAMESPACE {
 
 // A point that the sun shines on, and what reading its transmittance takes.
 struct LitPoint {
@@ -180,8 +179,7 @@ void CombineRow(const TransmittanceField& field, double altitude_km, double* row
     combine_row<Lanes>(field, altitude_km, row);
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace skybake
+}  // namespace skybake::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE

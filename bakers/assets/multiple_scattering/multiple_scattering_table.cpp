@@ -1,7 +1,6 @@
 #include "bakers/assets/multiple_scattering/multiple_scattering_table.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <memory>

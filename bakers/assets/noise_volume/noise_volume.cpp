@@ -56,13 +56,6 @@ std::vector<AxisMapping> axes_of(const std::array<int, 3>& size, NoiseSampling s
     return axes;
 }
 
-std::vector<std::string> channel_names(const Noise& noise) {
-    if (noise.pack != NoisePacking::none || noise.channels.size() == 1) return {"Y"};
-    std::vector<std::string> names;
-    for (const NoiseChannel& channel : noise.channels) names.push_back(channel.name);
-    return names;
-}
-
 VolumeReference reference_of(const Noise& noise, const std::array<int, 3>& size) {
     const std::array<bool, 3> centered = centered_axes(noise.sampling);
     return [&noise, size, centered](const std::array<double, 3>& uvw) {
@@ -143,7 +136,7 @@ Baked make_noise_volume(const Noise& noise, const NoiseVolumeBake& bake, Baked v
     volume.content = "noise, dimensionless; the volume repeats along x, y and z";
     volume.mapping = "tile";
     volume.axes = axes_of(bake.size, noise.sampling);
-    volume.channel_names = channel_names(noise);
+    volume.channel_names = config::channel_names(noise);
     set_files(bake, volume);
     volume.voxel_size_m.fill(1.0 / bake.size[0]);  // the tile is a metre wide
     volume.up_axis = "+z";

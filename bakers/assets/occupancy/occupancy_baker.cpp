@@ -35,8 +35,7 @@ Outcome<Baked> bake(const Parameters& parameters, const OccupancyBake& asset,
 
 Estimate estimate(const Parameters& parameters, const OccupancyBake& asset) {
     const CloudVolumeBake& of = source_volume(parameters, asset.of);
-    std::array<int, 3> cells{};
-    for (std::size_t i = 0; i < 3; ++i) cells[i] = (of.size[i] + asset.cell - 1) / asset.cell;
+    const std::array<int, 3> cells = occupancy::CellGrid{of.size, asset.cell}.size();
     Estimate result = estimate_volume(asset, cells, asset.contents.size(), 1e-8);
     const Estimate voxels = estimate_cloud_volume(parameters, of);
     // Minimum, maximum, leap and occupied, and bits of voxels.
@@ -52,13 +51,8 @@ AssetPlaces places(const Parameters& parameters, const OccupancyBake& asset, con
     const Cloud cloud = spanned_cloud(parameters, of);
     AssetPlaces places = cloud_places(cloud, extent_m_of(cloud));
     places.lookups = [cloud, of, cell = asset.cell](const Probe& probe, int level) {
-        Uvw extent_m = extent_m_of(cloud);
-        for (std::size_t i = 0; i < 3; ++i) {
-            const int edge = cell << level;
-            const int cells = (of.size[i] + edge - 1) / edge;
-            extent_m[i] *= static_cast<double>(edge) * cells / of.size[i];
-        }
-        return cloud_places(cloud, extent_m).lookups(probe, level);
+        return cloud_places(cloud, spanned_m({of.size, cell << level}, cloud))
+            .lookups(probe, level);
     };
     return places;
 }
@@ -68,11 +62,8 @@ AssetPlaces places(const Parameters& parameters, const OccupancyBake& asset, con
 int cell_of_level(const OccupancyBake& asset, const CloudVolumeBake& of,
                   const std::vector<int>& cells) {
     int cell = asset.cell;
-    const auto has_other_size = [&](std::size_t i) {
-        return (of.size[i] + cell - 1) / cell != cells[i];
-    };
     for (int level = 1; level < asset.mips; ++level) {
-        if (has_other_size(0) || has_other_size(1) || has_other_size(2)) cell *= 2;
+        if (!std::ranges::equal(occupancy::CellGrid{of.size, cell}.size(), cells)) cell *= 2;
     }
     return cell;
 }

@@ -41,18 +41,12 @@ class TexelSource : public VoxelSource {
         : kinds_(kinds), values_(std::move(values)) {}
 
     void fill(const VoxelBox& box, const std::vector<float*>& channels) const override {
-        for (std::size_t c = 0; c < channels.size(); ++c) {
-            float* out = channels[c];
-            if (out == nullptr) continue;
-            for (int z = box.origin[2]; z < box.origin[2] + box.size[2]; ++z) {
-                for (int y = box.origin[1]; y < box.origin[1] + box.size[1]; ++y) {
-                    std::vector<double> row(static_cast<std::size_t>(box.size[0]));
-                    // The third channel of two kinds is 0.
-                    if (c < kinds_) row = values_(c, {box.origin[0], y, z}, box.size[0]);
-                    for (const double value : row) *out++ = static_cast<float>(value);
-                }
-            }
-        }
+        fill_rows(box, channels, [&](std::size_t c, int y, int z, float* out) {
+            std::vector<double> row(static_cast<std::size_t>(box.size[0]));
+            // The third channel of two kinds is 0.
+            if (c < kinds_) row = values_(c, {box.origin[0], y, z}, box.size[0]);
+            for (const double value : row) *out++ = static_cast<float>(value);
+        });
     }
 
   private:

@@ -5,7 +5,6 @@
 #include <fmt/ranges.h>
 
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <numbers>

@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <string_view>
 
 #include "bakers/assets/registry/registry.h"
 #include "bakers/field/finish_table.h"

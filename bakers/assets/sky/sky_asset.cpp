@@ -8,7 +8,6 @@
 #include "bakers/air/particles/layer_phase.h"
 #include "bakers/light/shared_light.h"
 #include "bakers/math/relative_error.h"
-#include "bakers/math/vectors.h"
 #include "config/assets/assets.h"
 #include "config/sections/layer.h"
 

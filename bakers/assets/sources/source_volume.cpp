@@ -33,6 +33,15 @@ bool is_marched_as_stored(const Cloud& cloud) {
            cloud.threshold_at == config::ThresholdAt::bake;
 }
 
+Uvw spanned_m(const occupancy::CellGrid& grid, const Cloud& cloud) {
+    const std::array<int, 3> blocks = grid.size();
+    Uvw extent_m = extent_m_of(cloud);
+    for (std::size_t i = 0; i < 3; ++i) {
+        extent_m[i] *= static_cast<double>(grid.cell) * blocks[i] / grid.voxels[i];
+    }
+    return extent_m;
+}
+
 void place_blocks(const Baked& of, const occupancy::CellGrid& grid, const BlockWords& words,
                   Baked& volume) {
     const std::array<int, 3> blocks = grid.size();

@@ -45,7 +45,8 @@ std::vector<InputFile> inputs_of_source(const Parameters& parameters, const Asse
     return cloud_volume_inputs(parameters, source_volume(parameters, asset.of));
 }
 
-struct Baked;
+// Returns the edges of what the blocks of a volume span, which may go on beyond the volume.
+Uvw spanned_m(const occupancy::CellGrid& grid, const Cloud& cloud);
 
 // How files speak of the blocks.
 struct BlockWords {

@@ -1,8 +1,6 @@
 // The baker of `asset = "transmittance"`, and the baselines with which its kernel is compared.
 #pragma once
 
-#include <string>
-
 #include "bakers/air/medium.h"
 #include "bakers/field/table_model.h"
 #include "bakers/math/bake_options.h"

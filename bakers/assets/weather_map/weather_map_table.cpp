@@ -24,18 +24,11 @@ using config::WeatherContent;
 using config::WeatherMapBake;
 using ChannelPlane = Image2<float>;  // of one channel
 
-std::vector<std::string> channel_names(const Noise& noise) {
-    if (noise.pack != NoisePacking::none || noise.channels.size() == 1) return {"Y"};
-    std::vector<std::string> names;
-    for (const NoiseChannel& channel : noise.channels) names.push_back(channel.name);
-    return names;
-}
-
 // The map as a function of the noise, with what has been found about the noise's texels.
 class WeatherModel {
   public:
     WeatherModel(const Noise& noise, const WeatherMapBake& bake)
-        : noise_(noise), bake_(bake), names_(channel_names(noise)), ramps_(names_.size()) {
+        : noise_(noise), bake_(bake), names_(config::channel_names(noise)), ramps_(names_.size()) {
         const std::array<double, 2> direction = wind_direction(bake.wind.radians);
         for (std::size_t c = 0; c < names_.size(); ++c) {
             streaks_.push_back({gives_amounts() ? bake.streaks[c] : 0, direction});

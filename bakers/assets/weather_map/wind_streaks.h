@@ -8,7 +8,6 @@
 
 #include <array>
 #include <functional>
-#include <vector>
 
 #include "bakers/field/image.h"
 #include "bakers/math/bake_options.h"

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <exception>
-#include <utility>
 
 #include "bakers/field/baked.h"
 #include "bakers/field/pixel_type.h"

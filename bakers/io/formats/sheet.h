@@ -7,7 +7,6 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "bakers/field/level.h"
 #include "bakers/math/bake_options.h"

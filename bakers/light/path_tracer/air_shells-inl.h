@@ -18,8 +18,7 @@
 #include "bakers/math/transcendental-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace skybake {
-namespace HWY_NAMESPACE {
+namespace skybake::HWY_NAMESPACE {
 
 // Gauss-Legendre on [0, 1].
 constexpr int kShellNodes = 4;
@@ -320,8 +319,7 @@ HWY_INLINE PointInShell<Real> point_at_depth(const AirTables& air,
     return {minimum(maximum(top + gain, bottom), top), s_top - length, lowest};
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace skybake
+}  // namespace skybake::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif  // SKYBAKE_BAKERS_LIGHT_PATH_TRACER_AIR_SHELLS_INL_H_

@@ -11,8 +11,7 @@
 #include "bakers/light/path_tracer/path_steps-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace skybake {
-namespace HWY_NAMESPACE {
+namespace skybake::HWY_NAMESPACE {
 
 // The paths of one batch with the events at which light is gathered and scattered. Names are those of
 // path_walk.cpp.
@@ -230,8 +229,7 @@ void WalkBatch(const PathWalker& walker, const PathSource& source, const PathRul
     Walk(walker, source, rules, batch).walk();
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace skybake
+}  // namespace skybake::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE

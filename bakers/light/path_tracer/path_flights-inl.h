@@ -15,8 +15,7 @@
 #include "bakers/light/path_tracer/path_state-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace skybake {
-namespace HWY_NAMESPACE {
+namespace skybake::HWY_NAMESPACE {
 
 class PathFlights : public PathState {
   public:
@@ -250,8 +249,7 @@ class PathFlights : public PathState {
     }
 };
 
-}  // namespace HWY_NAMESPACE
-}  // namespace skybake
+}  // namespace skybake::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif  // SKYBAKE_BAKERS_LIGHT_PATH_TRACER_PATH_FLIGHTS_INL_H_

@@ -15,8 +15,7 @@
 #include "bakers/light/path_tracer/path_steps-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace skybake {
-namespace HWY_NAMESPACE {
+namespace skybake::HWY_NAMESPACE {
 
 constexpr std::size_t kLanes = Lanes::kCount;
 // Whole vectors of the paths of a batch.
@@ -165,8 +164,7 @@ class PathState {
     double one_packet_[kChannelSlots] = {};
 };
 
-}  // namespace HWY_NAMESPACE
-}  // namespace skybake
+}  // namespace skybake::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif  // SKYBAKE_BAKERS_LIGHT_PATH_TRACER_PATH_STATE_INL_H_

@@ -12,8 +12,7 @@
 #include "bakers/light/path_tracer/air_shells-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace skybake {
-namespace HWY_NAMESPACE {
+namespace skybake::HWY_NAMESPACE {
 
 // Below this 1 - e^-x and its inverse are taken from their series, since the difference has lost
 // twelve bits; the first term left out is below 2^-50 of the sum.
@@ -157,8 +156,7 @@ HWY_INLINE FlightLine<Real> flight_line(const Shell& planet, Real altitude_km,
     return line;
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace skybake
+}  // namespace skybake::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif  // SKYBAKE_BAKERS_LIGHT_PATH_TRACER_PATH_STEPS_INL_H_

@@ -15,8 +15,7 @@
 #include "bakers/math/transcendental.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace skybake {
-namespace HWY_NAMESPACE {
+namespace skybake::HWY_NAMESPACE {
 
 // A forward peak of half width 1 - |g| needs azimuths to match, and so do moments of a degree and
 // a phase function whose peak they resolve.
@@ -282,8 +281,7 @@ void GatherFirstLight(const SkyMedium& medium, const std::vector<SplitPhase>& ph
     FirstLightPass(medium, phases, sunlight, suns, degree).gather(fans, out, sky_irradiance);
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace skybake
+}  // namespace skybake::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE

@@ -1,7 +1,6 @@
 #include "bakers/light/solver/first_light.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <numbers>
 

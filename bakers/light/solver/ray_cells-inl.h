@@ -22,8 +22,7 @@
 #include "bakers/math/channel_floats-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace skybake {
-namespace HWY_NAMESPACE {
+namespace skybake::HWY_NAMESPACE {
 
 // Returns the mean of an exponential between two values, as a share of their arithmetic mean:
 // r / artanh r, where r is half their difference over that mean. Pade's fraction of it is 1e-4 off
@@ -276,8 +275,7 @@ class RayCells {
     std::vector<float> sums_;            // of each layer, then of the ground
 };
 
-}  // namespace HWY_NAMESPACE
-}  // namespace skybake
+}  // namespace skybake::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif  // SKYBAKE_BAKERS_LIGHT_SOLVER_RAY_CELLS_INL_H_

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <utility>
@@ -16,7 +15,6 @@
 #include "bakers/light/solver/solution_levels.h"
 #include "bakers/light/solver/transport.h"
 #include "bakers/math/parallel.h"
-#include "bakers/math/transcendental.h"
 
 namespace skybake {
 namespace {

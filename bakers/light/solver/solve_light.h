@@ -11,8 +11,6 @@
 // the error that is left is smaller than what is said.
 #pragma once
 
-#include <vector>
-
 #include "bakers/air/medium.h"
 #include "bakers/air/transmittance_field.h"
 #include "bakers/light/solver/residual_search.h"

@@ -19,8 +19,7 @@
 #include "bakers/math/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace skybake {
-namespace HWY_NAMESPACE {
+namespace skybake::HWY_NAMESPACE {
 
 // Replaces the weights of those suns of a vector whose stencils are steep. Such suns are rare, so
 // this is a function of its own, out of the way of the others. `falls` are between all columns
@@ -95,8 +94,7 @@ class AzimuthRecursion {
     Reals twice_cosine_;
 };
 
-}  // namespace HWY_NAMESPACE
-}  // namespace skybake
+}  // namespace skybake::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif  // SKYBAKE_BAKERS_LIGHT_SUN_AXIS_INL_H_

@@ -18,8 +18,7 @@
 #include "bakers/math/transcendental-inl.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace skybake {
-namespace HWY_NAMESPACE {
+namespace skybake::HWY_NAMESPACE {
 
 // A block of order_blocks.h: four azimuthal orders of four channels, in vectors of any width.
 template <class Number>
@@ -544,8 +543,7 @@ void ApplyInDouble(const LevelTransport<double>& transport, const SunAxis& suns,
     LevelPass<double>(suns, steep, light).apply(transport, out, sky_irradiance);
 }
 
-}  // namespace HWY_NAMESPACE
-}  // namespace skybake
+}  // namespace skybake::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE

@@ -6,7 +6,6 @@
 // integrated by quadrature (bakers/light/sky_light.h). The asset `sky_view` bakes the same sky.
 #pragma once
 
-#include "bakers/field/certify.h"
 #include "bakers/field/image.h"
 #include "bakers/light/sky_light.h"
 #include "bakers/render/sky_rays.h"

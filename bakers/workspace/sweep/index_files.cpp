@@ -181,15 +181,6 @@ void add_asset(const VariantResult& variant, const std::string& name,
     fields.push_back(std::move(files));
 }
 
-std::string first_error(const VariantResult& variant) {
-    if (variant.status != VariantStatus::failed) return "";
-    for (const Diagnostic& diagnostic : variant.diagnostics) {
-        if (diagnostic.severity != Severity::error) continue;
-        return fmt::format("{}: {}", diagnostic.code, diagnostic.message);
-    }
-    return "";
-}
-
 Json axis_json(const config::SweepAxis& axis) {
     Json values = Json::array();
     for (const auto& row : axis.rows) {

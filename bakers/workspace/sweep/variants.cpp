@@ -177,4 +177,13 @@ std::string_view to_string(VariantStatus status) {
     return "missing";
 }
 
+std::string first_error(const VariantResult& variant) {
+    if (variant.status != VariantStatus::failed) return "";
+    for (const Diagnostic& diagnostic : variant.diagnostics) {
+        if (diagnostic.severity != Severity::error) continue;
+        return fmt::format("{}: {}", diagnostic.code, diagnostic.message);
+    }
+    return "";
+}
+
 }  // namespace skybake

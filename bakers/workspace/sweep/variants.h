@@ -85,4 +85,7 @@ struct VariantResult {
     std::vector<Diagnostic> diagnostics;  // errors if it failed, else warnings
 };
 
+// Returns why a variant failed: "E0402: ...", or nothing if it did not.
+std::string first_error(const VariantResult& variant);
+
 }  // namespace skybake

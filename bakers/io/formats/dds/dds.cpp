@@ -24,7 +24,6 @@
 #include <vector>
 
 #include "bakers/field/baked.h"
-#include "bakers/field/pixel_type.h"
 #include "bakers/field/stored_voxels.h"
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/formats/format.h"

@@ -2,8 +2,6 @@
 // file's first bytes decide which format it is, not its name.
 #pragma once
 
-#include <string>
-
 #include "bakers/field/image.h"
 #include "bakers/io/files/load_module.h"
 #include "bakers/io/formats/png/image_codec.h"

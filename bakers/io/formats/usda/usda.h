@@ -16,8 +16,6 @@
 #include <glm/vec3.hpp>
 #include <string>
 
-#include "bakers/io/formats/format.h"
-
 namespace skybake {
 
 // Returns the text of a matrix4d that turns x, y and z to the columns of `axes` and moves 0 to `place`.

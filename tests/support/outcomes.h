@@ -1,0 +1,35 @@
+// Values of outcomes that tests need. What is wrong with one fails the test that asks for it.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <utility>
+
+#include "config/diagnostics/diagnostic.h"
+
+namespace skybake::test {
+
+// Returns the value of an outcome without errors; warnings may accompany it.
+template <class T>
+T without_errors(config::Outcome<T> outcome) {
+    EXPECT_TRUE(outcome.value.has_value());
+    for (const config::Diagnostic& found : outcome.diagnostics) {
+        if (found.severity == config::Severity::error) {
+            ADD_FAILURE() << found.code << ": " << found.message;
+        }
+    }
+    return outcome.value ? std::move(*outcome.value) : T{};
+}
+
+// Returns the value of an outcome about which no diagnostic is said.
+template <class T>
+T without_diagnostics(config::Outcome<T> outcome) {
+    for (const config::Diagnostic& found : outcome.diagnostics) {
+        if (found.severity == config::Severity::warning) {
+            ADD_FAILURE() << found.code << ": " << found.message;
+        }
+    }
+    return without_errors(std::move(outcome));
+}
+
+}  // namespace skybake::test
