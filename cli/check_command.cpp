@@ -14,7 +14,9 @@
 #include "cli/events.h"
 #include "cli/options.h"
 #include "config/recipe/recipe.h"
+#include "config/sections/cloud.h"
 #include "config/sections/layer.h"
+#include "config/sections/noise.h"
 #include "config/sections/particles.h"
 #include "config/sections/volume.h"
 
