@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "bakers/math/bake_options.h"
 #include "cli/command.h"
 #include "config/recipe/recipe.h"
 
