@@ -8,6 +8,7 @@
 
 #include "bakers/assets/optical_depth/column_kinds.h"
 #include "bakers/assets/optical_depth/column_table.h"
+#include "bakers/assets/optical_depth/column_volume.h"
 #include "config/assets/optical_depth.h"
 #include "config/sections/file_formats.h"
 #include "config/sections/layer.h"
