@@ -262,7 +262,7 @@ TEST(CloudLight, PointsAreAsDenseAsTheCloud) {
 }
 
 TEST(CloudLight, AllDensityIsAroundTheNearestPlace) {
-    const CloudLayer layer = test::rough_layer({12, 6, 7});
+    const CloudLayer layer = test::rough_layer({12, 6, 5});
     const PlaceGrid places = place_grid(layer.size, 2, false);
     std::vector<double> sums(occupancy::count_of(places.count));
     for (int z = 0; z < layer.size[2]; ++z) {

@@ -31,7 +31,9 @@ TEST(CloudLightDecoder, HasItsDefaults) {
     const CloudLightBake bake = light("sun_elevations = '30 deg'");
     EXPECT_EQ(bake.of, "v");
     EXPECT_EQ(bake.contents, CloudLightContents::optical_depth);
-    EXPECT_EQ(bake.cell, 4);
+    EXPECT_EQ(bake.cell, 2);
+    EXPECT_EQ(light("contents = 'sky_visibility'").cell, 4);
+    EXPECT_EQ(light("contents = 'sun_radiance'\nsun_elevations = '30 deg'").cell, 4);
     ASSERT_EQ(bake.sun_elevations.size(), 1U);
     EXPECT_NEAR(bake.sun_elevations[0].radians, 30 * kDegree, 1e-12);
     EXPECT_TRUE(bake.sun_azimuths.empty());

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <string>
 
 #include "bakers/plan/cloud_ways.h"
@@ -24,7 +25,7 @@ PlanRequest request_of(const std::string& text) {
     request.load = [text](std::span<const std::string> settings) {
         return config::parse_recipe(text, "scene", {}, settings);
     };
-    request.paths = 1 << 16;
+    request.paths = 1 << 18;
     return request;
 }
 
@@ -135,6 +136,8 @@ void expect_claimed_error_in_other_views() {
     const auto judged = plan_cloud(request, "c");
     ASSERT_TRUE(judged.value && judged.value->ways.size() == 1);
     const double error = judged.value->ways[0].figures.error;
+    std::printf("%s: claimed %.3g, judged %.3g\n", full_name(chosen.way).c_str(),
+                chosen.figures.error, error);
     EXPECT_NE(error, chosen.figures.error);
     EXPECT_LT(error, 1.3 * chosen.figures.error);
     EXPECT_GT(error, chosen.figures.error / 1.3);
