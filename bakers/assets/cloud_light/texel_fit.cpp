@@ -75,15 +75,16 @@ template <class Term>
 void TexelFit::gather_run(const Texels& texels, int z, const Run& run, const Term& term,
                           std::vector<float>& plane) const {
     const auto width = static_cast<std::size_t>(size_[0]);
-    const auto [lower, upper] = rows_of(2, z);
-    const auto [near, far] = rows_of(1, run.y);
+    const std::array<std::size_t, 2> planes = rows_of(2, z);
+    const std::array<std::size_t, 2> across = rows_of(1, run.y);
     const double up = double{lookups_[2][static_cast<std::size_t>(z)].share};
     const double along = double{lookups_[1][static_cast<std::size_t>(run.y)].share};
     const auto height = static_cast<std::size_t>(size_[1]);
     const auto row = [&](std::size_t k, std::size_t j) {
         return texels.data() + (k * height + j) * width;
     };
-    const std::array rows = {row(lower, near), row(lower, far), row(upper, near), row(upper, far)};
+    const std::array rows = {row(planes[0], across[0]), row(planes[0], across[1]),
+                             row(planes[1], across[0]), row(planes[1], across[1])};
     const auto texel = [&](int x) {
         const auto i = static_cast<std::size_t>(occupancy::wrapped(x, size_[0]));
         const double below = rows[0][i] + along * (rows[1][i] - rows[0][i]);
@@ -93,8 +94,8 @@ void TexelFit::gather_run(const Texels& texels, int z, const Run& run, const Ter
     const auto add = [&](int x, float sum) {
         const auto i = static_cast<std::size_t>(occupancy::wrapped(x, size_[0]));
         const float after = static_cast<float>(along) * sum;
-        plane[near * width + i] += sum - after;
-        plane[far * width + i] += after;
+        plane[across[0] * width + i] += sum - after;
+        plane[across[1] * width + i] += after;
     };
     const std::vector<Lookup>& lookups = lookups_[0];
     const std::size_t first_place = occupancy::index_of(places_, 0, run.y, z);
