@@ -61,7 +61,7 @@ class PlacesInCloud {
     }
 
   private:
-    // Of a voxel of one of the rows, which are counted through all heights.
+    // The density of a voxel of a row; rows are counted through all heights.
     double density_at(int x, int row) const {
         return density(layer_.optics, double{layer_.value(x, row, 0)});
     }
@@ -105,7 +105,7 @@ CloudLightTruth radiance_truth(const CloudLayer& layer, const CloudLightBake& ba
     return truth;
 }
 
-// What harmonics of transmittances have for coefficient 0 where nothing shades.
+// Returns coefficient 0 of harmonics of transmittances where nothing shades.
 double unshaded_transmittance(CloudLightBake bake) {
     bake.part = 1;
     double sum = 0;

@@ -26,8 +26,9 @@ CloudLightTruth cloud_light_truth(const cloud_light::CloudLayer& layer, const Cl
 
 // Returns the largest cell, from 64 down but leaving two texels along each axis, of which the RMS
 // error of lookups is at most *bake.max_error. The error is that of the certificate
-// (cloud_light_truth), over all channels, of the stored texels. It is measured at the points of the quick certificate, and where those are few,
-// at more of them too; so the choice does not depend on how the asset is certified.
+// (cloud_light_truth), over all channels, of the stored texels. It is measured at the points of the
+// quick certificate, and where those are few, at more of them too; so the choice does not depend on how
+// the asset is certified.
 //
 // E0403 if no cell is near enough, with the best and its error; E0401 and E0402 as for volumes. After
 // an interruption there is neither a value nor a diagnostic.

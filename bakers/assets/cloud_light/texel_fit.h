@@ -8,9 +8,9 @@
 //   sum over places of w (shown(A t) - shown(value))^2 is least
 //
 // Optical depths are shown as sunlight: within a cloud a depth of 30 for one of 40 is nothing, and at its
-// edge 1 for 0 is most of the sun. Such texels are found in steps, each with the
-// slopes of those before (Levenberg 1944), and the texels of a step by conjugate gradients (Hestenes and
-// Stiefel 1952). A texel that no place of any weight looks up is the value at its centre.
+// edge 1 for 0 is most of the sun. Such texels are found in steps, each with the slopes of those before
+// (Levenberg 1944), and the texels of a step by conjugate gradients (Hestenes and Stiefel 1952). A texel
+// that no place of any weight looks up is the value at its centre.
 //
 // Beside jumps such a fit overshoots. `bounds` are what the values can be by their nature, and texels
 // beyond them are set to the nearest bound.
