@@ -8,6 +8,7 @@
 #include "bakers/assets/cloud_light/cloud_light_truth.h"
 #include "bakers/assets/cloud_light/cloud_light_volume.h"
 #include "bakers/assets/cloud_light/hemisphere_harmonics.h"
+#include "bakers/assets/cloud_light/radiance_volume.h"
 #include "bakers/field/baked.h"
 #include "bakers/math/quadrature.h"
 #include "tests/cloud_light/layers.h"
@@ -218,6 +219,26 @@ TEST(CloudLight, ErrorsOfRadianceAreSharesOfTheSource) {
         truth.comparison.errors(top, std::vector<double>(wanted.size(), 0.0), wanted);
     EXPECT_NEAR(errors[0], -wanted[0] / std::sqrt(std::numbers::pi), 1e-12);
     EXPECT_LT(errors[0], -1);
+}
+
+// A slab is even along x, where places have random numbers of their own.
+TEST(CloudLight, StandardErrorsOfRadianceAreTheSpreadOfOtherPaths) {
+    const CloudLayer layer = test::layer_of({4, 4, 16}, 1);
+    CloudLightBake bake = bake_of(CloudLightContents::sun_radiance);
+    bake.sun_elevations = {{0.6}};
+    const CloudLightTruth truth = cloud_light_truth(layer, bake, 1);
+    constexpr int kPlaces = 48;
+    double sum = 0, squares = 0, variance = 0;
+    for (int i = 0; i < kPlaces; ++i) {
+        const std::vector<double> found = truth.reference({(i + 0.5) / kPlaces, 0.5, 0.7});
+        ASSERT_EQ(found.size(), 8U);
+        sum += found[0] / kPlaces;
+        squares += found[0] * found[0] / kPlaces;
+        const double noise =
+            truth.comparison.noise(found)[0] * cloud_light::unshaded_coefficient(bake);
+        variance += noise * noise / kPlaces;
+    }
+    EXPECT_NEAR(std::sqrt(squares - sum * sum) / std::sqrt(variance), 1, 0.35);
 }
 
 TEST(CloudLight, ErrorsOfDepthsAreSharesOfTheSun) {
