@@ -106,10 +106,9 @@ std::vector<double> look_up(const Level& level, PixelType type, const std::array
 // The maximum and the root mean square of a series of errors, summed in the order given.
 class ErrorStatistics {
   public:
-    void add(double error) { add(error, 0); }
     // `noise` is the standard error of the error. noise^2 is taken off its square, and 2 noise, which one in
     // twenty exceeds without any error, off its size.
-    void add(double error, double noise) {
+    void add(double error, double noise = 0) {
         const double size = std::max(std::fabs(error) - 2 * noise, 0.0);
         if (size > max_ || std::isnan(size)) max_ = size;  // NaN stays: no bound accepts it
         const double square = error * error - noise * noise;

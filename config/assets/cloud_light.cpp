@@ -95,8 +95,7 @@ const Row<CloudLightBake> cloud_light_table[] = {
      light_cell_range, Default{"4"}, Hint{"2 to 8"}, Exclusive{"size"}},
     {"max_error", Kind::fraction, &CloudLightBake::max_error,
      "in place of cell, asks for the fewest texels of which the RMS error of lookups within cloud "
-     "is "
-     "at most this share of the light that nothing shades",
+     "is at most this share of the light that nothing shades",
      lookup_error_range, Hint{"for example \"5 %\""}, Exclusive{"size"},
      When{"contents", of_depths}},
     {of_light_within(droplet_diameter_field), &CloudLightBake::droplet_diameter},

@@ -25,7 +25,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using config::FileFormat;
-using testing::in_child;
 using testing::sample_volume;
 using Names = std::vector<std::string>;
 

@@ -23,7 +23,6 @@ namespace skybake {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::in_child;
 using Names = std::vector<std::string>;
 
 class AlwaysCancelled : public Progress {

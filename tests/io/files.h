@@ -259,17 +259,8 @@ namespace skybake {
 
 // Tests speak of these.
 using testing::first_code;
+using testing::in_child;
 using testing::read_bytes;
 using testing::write_bytes;
-
-// Runs `body` in a child process, where limits and mounts do no harm, and returns its exit status; -1
-// where it was killed.
-inline int in_child(const std::function<int()>& body) {
-    const pid_t child = ::fork();
-    if (child == 0) ::_exit(body());
-    int status = 0;
-    ::waitpid(child, &status, 0);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
 
 }  // namespace skybake

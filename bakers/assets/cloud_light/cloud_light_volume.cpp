@@ -125,14 +125,15 @@ VolumeFinish finish_of(const Baked& of, const CloudLayer& layer, const CloudLigh
     VolumeFinish finish;
     const bool is_map = bake.contents == CloudLightContents::shadow;
     finish.histogram_ranges = texel_ranges(level, config::channels_of(bake));
+    finish.probe_place = [&of, is_map](const std::array<double, 3>& uvw, int) {
+        return probe_place(of, is_map, uvw);
+    };
+    if (options.certification == Certification::off) return finish;
     CloudLightTruth truth = cloud_light_truth(layer, bake, options.threads);
     finish.reference = std::move(truth.reference);
     finish.reference_name = std::move(truth.name);
     finish.comparison = std::move(truth.comparison);
     finish.expensive = !config::is_per_sun(bake.contents);
-    finish.probe_place = [&of, is_map](const std::array<double, 3>& uvw, int) {
-        return probe_place(of, is_map, uvw);
-    };
     return finish;
 }
 
