@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "bakers/assets/cloud_light/cloud_paths.h"
+#include "bakers/assets/cloud_light/depth_reference.h"
 #include "bakers/march/layer_march.h"
 #include "bakers/math/parallel.h"
 #include "bakers/occupancy/cell_grid.h"
@@ -155,28 +156,48 @@ TEST(MarchLight, SunlitCloudsAreThoseOfPaths) {
     }
 }
 
-// The same cloud in a tile that stands alone, by paths through a tile with wide margins without cloud.
+// The same cloud in a tile that stands alone, by paths through a tile with margins without cloud that are wider than
+// its shadow.
 TEST(MarchLight, LoneTilesHaveNoNeighbours) {
     const CloudLayer layer = two_bodies();
     CloudLayer wide = layer;
-    wide.size = {3 * layer.size[0], 3 * layer.size[1], layer.size[2]};
+    constexpr int kMargin = 2;  // tiles
+    const std::array<int, 2> margin = {kMargin * layer.size[0], kMargin * layer.size[1]};
+    const glm::dvec3 corner(margin[0], margin[1], 0);
+    wide.size = {(2 * kMargin + 1) * layer.size[0], (2 * kMargin + 1) * layer.size[1],
+                 layer.size[2]};
     wide.values.assign(occupancy::count_of(wide.size), 0);
     for (int z = 0; z < layer.size[2]; ++z) {
         for (int y = 0; y < layer.size[1]; ++y) {
             for (int x = 0; x < layer.size[0]; ++x) {
-                wide.values[occupancy::index_of(wide.size, x + layer.size[0], y + layer.size[1],
-                                                z)] = layer.value(x, y, z);
+                wide.values[occupancy::index_of(wide.size, x + margin[0], y + margin[1], z)] =
+                    layer.value(x, y, z);
             }
         }
     }
     const CloudMedium medium = medium_of(layer, false);
-    const SunDirection sun{12, 200};
     const BakeOptions options{.threads = kThreads};
-    const auto light = MarchLight(medium, kCellsOfPicture, options).under(sun, options);
+    const MarchLight within(medium, kCellsOfPicture, options);
+    const SunDirection sun{12, 200};
+    const auto light = within.under(sun, options);
     ASSERT_TRUE(light);
     const std::vector<Seen> seen = marched(medium, sun, &*light);
-    const glm::dvec3 corner(layer.size[0], layer.size[1], 0);
     EXPECT_LT(rms_off(wide, sun_of(sun), seen, &Seen::sun, corner), 0.08);
+
+    // Shadows are three tiles long.
+    const auto low = within.under({4, 180}, options);
+    ASSERT_TRUE(low);
+    for (int i = 0; i < low->cells[0]; ++i) {
+        const glm::dvec3 share =
+            (glm::dvec3(i, 11, 2) + 0.5) / glm::dvec3(low->cells[0], low->cells[1], low->cells[2]);
+        const glm::dvec3 place = share * glm::dvec3(layer.size[0], layer.size[1], layer.size[2]);
+        EXPECT_NEAR(sun_depth_at(*low, {static_cast<float>(share.x), static_cast<float>(share.y),
+                                        static_cast<float>(share.z)}),
+                    optical_depth_reference(wide, corner + place, direction_of(4, 180)), 1e-3)
+            << i;
+    }
+    EXPECT_TRUE(within.under({0.1, 0}, options));
+    EXPECT_FALSE(within.under({0, 0}, options));
 }
 
 // Sunlight that a layer of the optical depth 8 above has scattered before is what diffuse light would be.

@@ -1,5 +1,8 @@
 #include "bakers/assets/cloud_light/cloud_layer.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "bakers/field/baked.h"
 #include "bakers/field/pixel_type.h"
 #include "bakers/math/parallel.h"
@@ -53,6 +56,11 @@ glm::dvec3 towards(double elevation, double azimuth) {
 glm::dvec3 in_voxels(const CloudLayer& layer, const glm::dvec3& direction) {
     return {direction.x / layer.voxel_m[0], direction.y / layer.voxel_m[1],
             direction.z / layer.voxel_m[2]};
+}
+
+double ray_length(const CloudLayer& layer, const glm::dvec3& place, const glm::dvec3& along) {
+    return std::min({(layer.size[2] - place.z) / along.z, layer.reach[0] / std::abs(along.x),
+                     layer.reach[1] / std::abs(along.y)});
 }
 
 }  // namespace skybake::cloud_light

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -35,7 +36,11 @@ struct CloudLayer {
     std::array<double, 3> voxel_m{};  // edges of a voxel in metres
     CloudOptics optics;
     AlignedFloats values;  // as stored, x fastest
-    LayerSky sky;          // empty unless the asset's light is that of a clear sky (layer_sky.h)
+    // The voxels along x and y after which a ray ends. A cloud that stands alone has none of its copies
+    // within them.
+    std::array<double, 2> reach = {std::numeric_limits<double>::infinity(),
+                                   std::numeric_limits<double>::infinity()};
+    LayerSky sky;  // empty unless the asset's light is that of a clear sky (layer_sky.h)
     std::optional<NeedKey> solution;  // of its radiance, if assets share it (radiance_volume.h)
 
     // A voxel within the volume.
@@ -66,5 +71,8 @@ glm::dvec3 towards(double elevation, double azimuth);
 
 // Returns a direction in metres in voxel units per metre.
 glm::dvec3 in_voxels(const CloudLayer& layer, const glm::dvec3& direction);
+
+// Returns the metres after which a ray from a place leaves the layer. It goes `along` voxels per metre, upwards.
+double ray_length(const CloudLayer& layer, const glm::dvec3& place, const glm::dvec3& along);
 
 }  // namespace skybake::cloud_light

@@ -40,7 +40,7 @@ double optical_depth_reference(const CloudLayer& layer, const glm::dvec3& place,
                                const glm::dvec3& direction) {
     assert(direction.z > 0);
     const glm::dvec3 along = in_voxels(layer, direction);
-    const double end = (layer.size[2] - place.z) / along.z;
+    const double end = ray_length(layer, place, along);
     double sum = 0;
     double t = 0;
     while (t < end) {

@@ -140,7 +140,9 @@ MarchLight::MarchLight(const CloudMedium& medium, double most_cells, const BakeO
         margin[a] = margin_[a] * (voxels[a] / places.count[a]);
         places.count[a] += 2 * margin_[a];
     }
-    layer_ = std::make_unique<const CloudLayer>(layer_of(medium, margin));
+    auto layer = std::make_unique<CloudLayer>(layer_of(medium, margin));
+    if (!medium.repeats) layer->reach = {double{1} * voxels[0], double{1} * voxels[1]};
+    layer_ = std::move(layer);
     places.voxels = layer_->size;
     solver_ = std::make_unique<const RadianceSolver>(*layer_, places, droplets(), kDegree, options);
     without_sun_.share = solver_->extinction_share();
@@ -162,7 +164,9 @@ MarchLight::MarchLight(const CloudMedium& medium, double most_cells, const BakeO
 
 std::optional<LightInCloud> MarchLight::under(const SunDirection& sun,
                                               const BakeOptions& options) const {
-    if (sun.elevation_degrees < kLowestSolvedSun_deg) return std::nullopt;
+    const bool repeats = margin_[0] == 0;
+    if (sun.elevation_degrees <= 0) return std::nullopt;
+    if (repeats && sun.elevation_degrees < kLowestSolvedSun_deg) return std::nullopt;
     LayerSources source;
     source.sun = 1;
     source.sun_direction = direction_of(sun.elevation_degrees, sun.azimuth_degrees);

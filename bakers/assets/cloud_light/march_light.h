@@ -15,7 +15,8 @@
 
 namespace skybake::cloud_light {
 
-// Below this elevation rays to the sun cross so many tiles that their light is not solved for.
+// Below this elevation rays to the sun cross so many tiles of a layer that repeats that its light is not solved
+// for. A tile that stands alone is solved for under each sun above the horizon.
 inline constexpr double kLowestSolvedSun_deg = 1;
 
 // The most cells for which light is solved: those of pictures, and of drafts.
@@ -32,13 +33,13 @@ class MarchLight {
     // that does not repeat has an empty margin of half of its edge on each side.
     MarchLight(const CloudMedium& medium, double most_cells, const BakeOptions& options);
 
-    // Returns nothing for a sun below kLowestSolvedSun_deg and after an interruption.
+    // Returns nothing for a sun that is too low and after an interruption.
     std::optional<LightInCloud> under(const SunDirection& sun, const BakeOptions& options) const;
 
   private:
     std::unique_ptr<const CloudLayer> layer_;  // to which the solver refers
     std::unique_ptr<const RadianceSolver> solver_;
-    std::array<int, 3> margin_{};  // in places
+    std::array<int, 3> margin_{};  // in places; 0 where the tile repeats
     LightInCloud without_sun_;
 };
 

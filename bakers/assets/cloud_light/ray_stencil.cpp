@@ -86,7 +86,7 @@ RayStencil make_stencil(const CloudLayer& layer, const glm::dvec3& start,
                         const glm::dvec3& direction) {
     assert(direction.z > 0 && start.z <= layer.size[2]);
     const glm::dvec3 along = in_voxels(layer, direction);
-    const double end = (layer.size[2] - start.z) / along.z;
+    const double end = ray_length(layer, start, along);
     const glm::dvec3 from = start - 0.5;
     const std::vector<double> ends = pieces(from, along, end);
     const QuadratureRule rule = gauss_legendre(layer.optics.has_edge ? kEdgePoints : 2);
