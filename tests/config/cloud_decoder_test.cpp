@@ -13,38 +13,6 @@ using testing::cloud_recipe;
 using Pair = std::array<double, 2>;
 using Triple = std::array<int, 3>;
 
-TEST(CloudDecoder, HasItsDefaults) {
-    const Cloud cloud = cloud_of("");
-    EXPECT_EQ(cloud.name, "c");
-    EXPECT_EQ(cloud.noise, "n");
-    EXPECT_EQ(cloud.noise_scale, (Triple{1, 1, 1}));
-    EXPECT_EQ(cloud.detail, "");
-    EXPECT_EQ(cloud.erosion, (Pair{0, 0})) << "nothing erodes";
-    EXPECT_EQ(cloud.extent[0].meters, 1000);
-    EXPECT_EQ(cloud.extent[1].meters, 2000);
-    EXPECT_EQ(cloud.extent[2].meters, 500);
-    EXPECT_EQ(cloud.base_altitude.meters, 0);
-    EXPECT_EQ(cloud.height_profile.type, HeightProfileType::cumulus);
-    EXPECT_EQ(cloud.coverage, 1);
-    EXPECT_EQ(cloud.coverage_map.file, "");
-    EXPECT_TRUE(cloud.coverage_map.path.empty());
-    EXPECT_EQ(cloud.threshold, 0);
-    EXPECT_EQ(cloud.edge_softness, 0.05);
-    EXPECT_EQ(cloud.threshold_at, ThresholdAt::bake);
-    EXPECT_EQ(cloud.channels, CloudChannels::density);
-    EXPECT_EQ(cloud.extinction_scale.per_meter, 0.04);
-    EXPECT_TRUE(cloud.towers.empty());
-    const Cloud eroded = cloud_of("detail = 'd'");
-    EXPECT_EQ(eroded.detail_scale, (Triple{1, 1, 1}));
-    EXPECT_EQ(eroded.erosion, (Pair{0.2, 0.35}));
-    EXPECT_EQ(eroded.wisp_height, 0.1);
-}
-
-TEST(CloudDecoder, DensityIsFullWhereTheFileHoldsIt) {
-    EXPECT_FALSE(cloud_of("").full_at);
-    EXPECT_EQ(cloud_of("full_at = 0.2").full_at, 0.2);
-}
-
 TEST(CloudDecoder, ReadsEveryKey) {
     const Cloud cloud = cloud_of(
         "noise_scale = [4, 5, 1]\ndetail = 'd'\ndetail_scale = 16\nerosion = [0, 0.95]\n"
@@ -101,28 +69,6 @@ TEST(CloudDecoder, TowersHaveNames) {
     const Cloud cloud =
         cloud_of("[clouds.c.towers.big]\ncenter = [0, 0]\nsigma = [1, 1]\namplitude = 1\n");
     EXPECT_EQ(cloud.towers.at(0).name, "big");
-}
-
-TEST(CloudDecoder, WithoutADetailNothingErodes) {
-    EXPECT_EQ(cloud_of("detail = 'd'\nerosion = [0.1, 0.2]", {"clouds.c.detail=\"\""}).erosion,
-              (Pair{0, 0}))
-        << "to take the detail away takes its keys away";
-}
-
-TEST(CloudDecoder, ScaledFrequenciesHaveARange) {
-    const auto with_noise = [](const std::string& keys, const std::string& noise) {
-        return "[clouds.c]\nnoise = 'n'\nextent = ['1 m', '1 m', '1 m']\n" + keys +
-               "\n[noise.n.channels.Y]\ntype = 'worley'\n" + noise;
-    };
-    EXPECT_EQ(valid(with_noise("noise_scale = [1, 1, 1024]", "frequency = 1024"))
-                  .parameters.clouds.size(),
-              1u);
-    // Only the first channel goes into a density, all of them into channels = "noise".
-    const std::string more =
-        "[noise.n.channels.R]\ntype = 'worley'\nfrequency = 4\n[noise.n.channels.G]\n"
-        "type = 'worley'\nfrequency = 4096\n[noise.n.channels.B]\ntype = 'worley'\n"
-        "[clouds.c]\nnoise = 'n'\nnoise_scale = 1000\nextent = ['1 m', '1 m', '1 m']\n";
-    EXPECT_EQ(valid(more).parameters.clouds.size(), 1u);
 }
 
 // Maps are looked for as includes are: beside the file that names them.

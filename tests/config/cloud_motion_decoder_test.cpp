@@ -111,19 +111,5 @@ TEST(Flipbook, HoldsAllFrames) {
               (std::array<int, 3>{16, 32, 8}));
 }
 
-// Levels of 16 x 32 texels: the number of frames adds none.
-TEST(Flipbook, HasLevelsOfLayers) {
-    const auto of = [](const std::string& keys) {
-        const Recipe recipe = valid(frames_of(living, book + "mapping = 'layers'\n" + keys));
-        return recipe.parameters.bakes.at(12).as<FlipbookBake>();
-    };
-    EXPECT_EQ(of("").mips, 1);
-    EXPECT_EQ(of("").columns, 0);
-    EXPECT_EQ(of("mips = 3\n").mips, 3);
-    EXPECT_EQ(of("mips = 'all'\n").mips, 6);
-    EXPECT_EQ(of("mips = 'all'\n").columns, 6) << "those of level 0, for the sheets of all levels";
-    EXPECT_EQ(of("mips = 2\ncolumns = 4\n").columns, 4);
-}
-
 }  // namespace
 }  // namespace skybake::config
