@@ -5,8 +5,6 @@
 #include <span>
 #include <string>
 
-#include "config/fields/kinds.h"
-
 namespace skybake::config {
 
 // Returns the wavelengths in nm, ascending, whose light together with a matrix gives the colours of

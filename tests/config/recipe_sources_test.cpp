@@ -6,8 +6,6 @@
 
 #include <algorithm>
 
-#include "tests/config/recipes.h"
-
 namespace skybake::config {
 namespace {
 

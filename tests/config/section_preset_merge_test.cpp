@@ -1,8 +1,5 @@
-#include "config/recipe/merge.h"
 
 #include <gtest/gtest.h>
-
-#include "tests/config/clouds.h"
 
 namespace skybake::config {
 namespace {

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include "config/sections/atmosphere.h"
-#include "tests/config/noises.h"
 #include "tests/support/outcomes.h"
 
 namespace skybake::config {

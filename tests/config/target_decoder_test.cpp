@@ -1,4 +1,3 @@
-#include "config/assets/target_decoder.h"
 
 #include <gtest/gtest.h>
 

@@ -11,7 +11,6 @@
 #include <atomic>
 #include <chrono>
 #include <csignal>
-#include <functional>
 
 #include "bakers/io/files/output_folder.h"
 #include "bakers/io/manifest/metadata.h"

@@ -5,7 +5,6 @@
 #include <thread>
 
 #include "bakers/io/files/temporary_file.h"
-#include "tests/io/files.h"
 
 namespace skybake {
 namespace {

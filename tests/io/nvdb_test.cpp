@@ -1,5 +1,4 @@
 // NanoVDB files, read back by the library's own readers and by the format's reader.
-#include <iostream>  // GridValidator.h needs it
 
 #include <nanovdb/util/GridValidator.h>
 #include <nanovdb/util/IO.h>
@@ -8,7 +7,6 @@
 #include <cstring>
 
 #include "bakers/field/block_voxels.h"
-#include "bakers/field/leaf_codes.h"
 #include "bakers/field/stored_voxels.h"
 #include "bakers/io/formats/format.h"
 #include "tests/io/files.h"

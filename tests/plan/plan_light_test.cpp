@@ -1,4 +1,4 @@
-#include "bakers/plan/plan_light.h"
+#include "bakers/plan/plan.h"
 
 #include <gtest/gtest.h>
 
