@@ -12,7 +12,7 @@
 #include "bakers/assets/cloud_distance/cloud_distance.h"
 #include "bakers/assets/cloud_distance/distance_check.h"
 #include "bakers/assets/cloud_volume/cloud_volume.h"
-#include "bakers/assets/sources/source_volume.h"
+#include "bakers/assets/sources/source_files.h"
 #include "bakers/io/manifest/asset_files.h"
 #include "bakers/occupancy/cloud_bits.h"
 #include "config/assets/cloud_distance.h"

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "bakers/assets/cloud_volume/cloud_volume.h"
-#include "bakers/assets/sources/source_volume.h"
+#include "bakers/assets/sources/source_files.h"
 #include "bakers/io/manifest/asset_files.h"
 #include "bakers/math/quadrature.h"
 #include "config/assets/cloud_volume.h"

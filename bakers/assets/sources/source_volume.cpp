@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <utility>
@@ -10,8 +9,6 @@
 #include "bakers/assets/cloud_volume/cloud_inputs.h"
 #include "bakers/field/baked.h"
 #include "bakers/field/block_voxels.h"
-#include "bakers/io/formats/format.h"
-#include "config/recipe/asset_parameters.h"
 
 namespace skybake {
 
@@ -68,30 +65,6 @@ void place_blocks(const Baked& of, const occupancy::CellGrid& grid, const BlockW
     volume.minimum_m = of.minimum_m;
     volume.up_axis = of.up_axis;
     volume.conventions = of.conventions;
-}
-
-const ManifestAsset* asset_named(const Manifest& manifest, const std::string& name) {
-    const auto found = std::ranges::find(manifest.assets, name, &ManifestAsset::name);
-    return found != manifest.assets.end() ? &*found : nullptr;
-}
-
-const ManifestFile* first_file(const ManifestAsset& asset) {
-    const auto found = std::ranges::find_if(asset.files, [](const ManifestFile& file) {
-        const Format* format = find_format(file.format);
-        return file.level == 0 && format != nullptr && format->read != nullptr;
-    });
-    return found != asset.files.end() ? &*found : nullptr;
-}
-
-std::optional<std::size_t> channel_in(const ManifestAsset& volume, const std::string& name) {
-    if (name.empty()) return 0;
-    const auto found = std::ranges::find(volume.channels, name);
-    if (found == volume.channels.end()) return std::nullopt;
-    return static_cast<std::size_t>(found - volume.channels.begin());
-}
-
-std::optional<Recipe> recorded_recipe(const ManifestAsset& asset) {
-    return config::parse_asset_parameters(asset.parameters, asset.name).value;
 }
 
 }  // namespace skybake

@@ -1,20 +1,15 @@
 #include "bakers/preview/live/live_textures.h"
 
-#include <libdeflate.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <memory>
-#include <new>
 #include <utility>
 
 #include "bakers/math/half_conversion.h"
 #include "bakers/preview/page.h"
 
 namespace skybake {
-
 namespace {
 
 std::string bytes_of(const void* data, std::size_t size) {
@@ -80,18 +75,6 @@ std::string leap_bytes(const LeapGrid& grid) {
         bytes += static_cast<char>(static_cast<std::uint8_t>(std::min(leap, 255.0F)));
     }
     return bytes;
-}
-
-std::string zlib_bytes(const std::string& bytes) {
-    // Level 6 of 12: a page is written once for each save.
-    constexpr int level = 6;
-    const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(
-        libdeflate_alloc_compressor(level), libdeflate_free_compressor);
-    if (!compressor) throw std::bad_alloc();
-    std::string packed(libdeflate_zlib_compress_bound(compressor.get(), bytes.size()), '\0');
-    packed.resize(libdeflate_zlib_compress(compressor.get(), bytes.data(), bytes.size(),
-                                           packed.data(), packed.size()));
-    return packed;
 }
 
 }  // namespace skybake
