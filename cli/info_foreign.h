@@ -7,6 +7,7 @@
 
 #include "bakers/io/formats/exr/exr_heads.h"
 #include "bakers/io/manifest/metadata.h"
+#include "cli/command.h"
 
 namespace skybake::cli {
 

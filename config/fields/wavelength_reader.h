@@ -5,6 +5,8 @@
 #include <span>
 #include <string>
 
+#include "config/fields/kinds.h"
+
 namespace skybake::config {
 
 // Returns the wavelengths in nm, ascending, whose light together with a matrix gives the colours of

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 
+#include "tests/config/recipes.h"
+
 namespace skybake::config {
 namespace {
 

@@ -1,5 +1,8 @@
-
 #include <gtest/gtest.h>
+
+#include "config/sections/cloud.h"
+#include "config/sections/noise.h"
+#include "tests/config/recipes.h"
 
 namespace skybake::config {
 namespace {

@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "bakers/io/files/temporary_file.h"
+#include "tests/io/files.h"
 
 namespace skybake {
 namespace {

@@ -1,4 +1,5 @@
 // NanoVDB files, read back by the library's own readers and by the format's reader.
+#include <iostream>  // GridValidator.h needs it
 
 #include <nanovdb/util/GridValidator.h>
 #include <nanovdb/util/IO.h>
@@ -6,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "bakers/field/block_voxels.h"
 #include "bakers/field/block_voxels.h"
 #include "bakers/field/stored_voxels.h"
 #include "bakers/io/formats/format.h"

@@ -1,4 +1,4 @@
-// Skies as Radiance pictures (.hdr) of RGBE (bakers/field/pixel_type.h), rows from the top. OpenImageIO writes and
+// Skies as Radiance pictures (.hdr) of RGBE (bakers/field/rgbe.h), rows from the top. OpenImageIO writes and
 // reads them.
 //
 // The asset's entry in the manifest stands behind the last row, where readers look for nothing: 100 lines
@@ -6,6 +6,8 @@
 //
 // Source: Ward, "Radiance File Formats".
 #pragma once
+
+#include "bakers/io/formats/format.h"
 
 namespace skybake {
 
