@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bakers/air/particles/layer_phase.h"
-#include "bakers/assets/cloud_volume/cloud_files.h"
+#include "bakers/assets/cloud_volume/cloud_inputs.h"
 #include "bakers/assets/registry/registry.h"
 #include "cli/command.h"
 #include "cli/console.h"

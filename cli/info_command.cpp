@@ -24,7 +24,6 @@
 #include "cli/info_lookup.h"
 #include "cli/table_printer.h"
 #include "config/sections/file_formats.h"
-#include "config/text/key_path.h"
 
 namespace skybake::cli {
 

@@ -10,7 +10,7 @@
 #include <utility>
 #include <variant>
 
-#include "bakers/assets/cloud_volume/cloud_files.h"
+#include "bakers/assets/cloud_volume/cloud_inputs.h"
 #include "bakers/io/files/file_io.h"
 #include "bakers/workspace/cache_folder.h"
 #include "bakers/workspace/http_cache.h"

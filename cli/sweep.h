@@ -3,7 +3,6 @@
 #pragma once
 
 #include <chrono>
-#include <filesystem>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -14,7 +13,6 @@
 #include "bakers/workspace/sweep/run_sweep.h"
 #include "cli/options.h"
 #include "cli/progress.h"
-#include "config/sweep/sweep.h"
 
 namespace skybake::cli {
 

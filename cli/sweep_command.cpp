@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "bakers/io/files/file_io.h"
-#include "bakers/io/files/load_module.h"
 #include "bakers/io/manifest/manifest.h"
 #include "bakers/workspace/http_cache.h"
 #include "bakers/workspace/sweep/index_files.h"
@@ -21,7 +20,6 @@
 #include "bakers/workspace/sweep/variants.h"
 #include "cli/command.h"
 #include "cli/console.h"
-#include "cli/events.h"
 #include "cli/options.h"
 #include "cli/sweep.h"
 #include "cli/table_printer.h"

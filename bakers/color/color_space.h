@@ -17,7 +17,6 @@
 // divide by the sun's, so that the sun is (1, 1, 1) too.
 #pragma once
 
-#include <array>
 #include <glm/ext/matrix_double3x3.hpp>
 #include <glm/ext/vector_double2.hpp>
 #include <glm/ext/vector_double3.hpp>

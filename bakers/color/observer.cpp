@@ -1,8 +1,7 @@
 #include "bakers/color/observer.h"
 
-#include "bakers/color/spectral_nodes.h"
-
 namespace skybake {
+
 namespace {
 
 struct MatchingRow {

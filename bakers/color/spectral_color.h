@@ -9,9 +9,13 @@
 // Y = 1, and is (1, 1, 1) where the sun is white.
 //
 // The light of the sun outside the air, at the mean distance of the Earth.
+//
+// Weights by which the light of a few wavelengths becomes a colour, fitted to spectra whose colours
+// are known.
 #pragma once
 
 #include <glm/ext/vector_double3.hpp>
+
 #include <optional>
 #include <span>
 #include <string_view>
@@ -61,5 +65,19 @@ std::vector<glm::dvec3> color_weights(std::span<const double> wavelengths_nm,
 // The colour of such a spectrum; as many radiances as wavelengths.
 glm::dvec3 color_of(std::span<const double> wavelengths_nm, std::span<const double> radiances,
                     const ColorTarget& target);
+
+struct ColorSample {
+    std::vector<double> light;         // at the wavelengths of the fit
+    glm::dvec3 color = glm::dvec3(0);  // of the whole spectrum
+    double weight = 0;                 // of the difference, at least 0
+};
+
+// Returns the weight of each wavelength, for which the sum over samples of
+// |weight (sum of light weights - color)|^2 is least. Neighbouring wavelengths have nearly the same
+// light, so that many weights would be as good: of these it returns those near color_weights, the
+// rule for spectra that are linear between the wavelengths, which may be in any order.
+std::vector<glm::dvec3> fit_color_weights(std::span<const double> wavelengths_nm,
+                                          const std::vector<ColorSample>& samples,
+                                          const ColorTarget& target);
 
 }  // namespace skybake

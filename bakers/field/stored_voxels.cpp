@@ -4,7 +4,6 @@
 #include <cstdint>
 
 #include "bakers/field/pixel_type.h"
-#include "bakers/math/parallel.h"
 
 namespace skybake {
 

@@ -8,7 +8,6 @@
 #include <type_traits>
 #include <utility>
 
-#include "bakers/color/color_weights_fit.h"
 #include "bakers/color/spectral_color.h"
 #include "bakers/math/bake_clock.h"
 #include "config/fields/fields.h"

@@ -5,7 +5,7 @@
 #include <memory>
 #include <optional>
 
-#include "bakers/math/scratch_floats.h"
+#include "bakers/math/memory.h"
 #include "bakers/noise/bump_kernel.h"
 #include "bakers/noise/cell_kernel.h"
 #include "bakers/noise/combine_kernel.h"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "bakers/field/level.h"
-#include "bakers/math/scratch_floats.h"
+#include "bakers/math/memory.h"
 #include "bakers/noise/gradient_kernel.h"
 #include "bakers/noise/noise_plan.h"
 #include "bakers/noise/scattered_kernel.h"

@@ -20,7 +20,7 @@
 #include <functional>
 
 #include "bakers/math/bake_options.h"
-#include "bakers/math/scratch_floats.h"
+#include "bakers/math/memory.h"
 #include "bakers/occupancy/cell_grid.h"
 #include "bakers/occupancy/cloud_bits.h"
 

@@ -1,14 +1,17 @@
 // The assets of ways in memory, each baked once however many ways have it.
+//
+// Figures of ways that were measured before, in a cache.
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "bakers/field/baked.h"
 #include "bakers/math/bake_options.h"
 #include "bakers/math/intermediates.h"
-#include "bakers/plan/way.h"
+#include "bakers/plan/choose_way.h"
 #include "config/diagnostics/diagnostic.h"
 #include "config/recipe/recipe.h"
 
@@ -71,5 +74,17 @@ struct BakedWay {
 // result. After an interruption there is neither a value nor a diagnostic.
 Outcome<std::vector<BakedAsset>> bake_ways(const Recipe& recipe, const WayAssets& assets,
                                            BakeOptions options);
+
+// Returns a key that tells all that the figures of ways depend on: what the recipe says and reads, its
+// scene without the limits, the bakers, the assets, the ways, and `rest`.
+std::string figures_key(const Recipe& recipe, std::vector<config::Read> reads,
+                        const WayAssets& assets, const MeasuredWays& plan, const std::string& rest);
+
+// Fills in a plan's figures and its sheet from the cache. Returns false if it has none under this key.
+bool find_figures(const std::filesystem::path& cache, const std::string& key, MeasuredWays& plan);
+
+// Keeps them. W0301 if the cache cannot be written; a plan goes on without it.
+std::vector<Diagnostic> keep_figures(const std::filesystem::path& cache, const std::string& key,
+                                     const MeasuredWays& plan);
 
 }  // namespace skybake

@@ -7,6 +7,7 @@
 #include <utility>
 
 namespace skybake {
+
 namespace {
 
 std::array<double, 4> figures_of(const WayFigures& way) {

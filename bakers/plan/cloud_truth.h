@@ -10,7 +10,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/ext/vector_double3.hpp>
-#include <string>
 #include <vector>
 
 #include "bakers/assets/cloud_light/cloud_layer.h"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "bakers/plan/way.h"
+#include "bakers/plan/choose_way.h"
 
 namespace skybake {
 

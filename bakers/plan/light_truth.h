@@ -10,7 +10,6 @@
 #include <cstdint>
 #include <glm/ext/vector_double3.hpp>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "bakers/air/ray.h"

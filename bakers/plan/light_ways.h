@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "bakers/field/choose_probes.h"
+#include "bakers/plan/choose_way.h"
 #include "bakers/plan/light_truth.h"
-#include "bakers/plan/way.h"
 #include "config/sections/parameters.h"
 #include "config/sections/scene.h"
 

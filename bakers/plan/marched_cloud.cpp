@@ -6,10 +6,10 @@
 #include <glm/geometric.hpp>
 
 #include "bakers/assets/cloud_light/cloud_scattering.h"
-#include "bakers/assets/forward_scattering/forward_table.h"
 #include "bakers/field/interpolation.h"
 #include "bakers/field/pixel_type.h"
 #include "bakers/march/cloud_light.h"
+#include "bakers/march/forward_mapping.h"
 #include "bakers/math/harmonics.h"
 
 namespace skybake {

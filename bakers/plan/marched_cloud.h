@@ -9,7 +9,6 @@
 
 #include "bakers/assets/cloud_light/cloud_layer.h"
 #include "bakers/field/baked.h"
-#include "bakers/math/bake_options.h"
 #include "bakers/occupancy/marcher.h"
 #include "bakers/plan/cloud_ways.h"
 

@@ -10,7 +10,6 @@
 #include "bakers/math/bake_options.h"
 #include "bakers/plan/bake_ways.h"
 #include "bakers/plan/choose_way.h"
-#include "bakers/plan/way.h"
 #include "bakers/report/measurement.h"
 #include "config/diagnostics/diagnostic.h"
 #include "config/recipe/recipe.h"
@@ -89,5 +88,18 @@ std::vector<std::size_t> by_error(const std::vector<MeasuredWay>& ways);
 // keeps the limits: `chosen` is then the way of least error. Returns E0409 alone where paths find no
 // light to compare with.
 Outcome<Plan> chosen(Plan plan, std::vector<Diagnostic> diagnostics);
+
+// Measures all ways to draw a part of the light of a recipe's air, the sky, the air before things, the
+// light on the ground or the surroundings, and chooses one: bakes the assets of all ways, and measures
+// each against one set of paths of light, in the views of the recipe's scene. Diagnostics are those of
+// bake_asset; E0105 for a recipe without air; E0147 for one of more than four wavelengths that are no
+// colours; E0105 and E0110 if only pictures are left and there are no suns or too many; those of
+// `chosen`; W0301 if the cache cannot be written. After an interruption there is neither a value nor a
+// diagnostic.
+Outcome<Plan> plan_light(const PlanRequest& request, config::Draws light);
+
+// Does the same for the [clouds.NAME] in sunlight. The finest voxels are those of the first
+// cloud_volume of the recipe that bakes it, or 256 along its longest edge.
+Outcome<Plan> plan_cloud(const PlanRequest& request, const std::string& name);
 
 }  // namespace skybake

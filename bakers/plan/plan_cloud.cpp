@@ -1,4 +1,4 @@
-#include "bakers/plan/plan_cloud.h"
+#include "bakers/plan/plan.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -11,12 +11,10 @@
 
 #include "bakers/assets/cloud_volume/cloud_volume.h"
 #include "bakers/math/facts.h"
-#include "bakers/math/parallel.h"
+#include "bakers/plan/bake_ways.h"
 #include "bakers/plan/cloud_sheet.h"
 #include "bakers/plan/cloud_truth.h"
 #include "bakers/plan/cloud_ways.h"
-#include "bakers/plan/kept_figures.h"
-#include "bakers/plan/plan_files.h"
 #include "bakers/plan/sheet_pictures.h"
 #include "config/assets/asset_kind.h"
 

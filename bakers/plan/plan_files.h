@@ -3,7 +3,6 @@
 
 #include <span>
 #include <string>
-#include <vector>
 
 #include "bakers/plan/plan.h"
 #include "bakers/plot/chart.h"

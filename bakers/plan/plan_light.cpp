@@ -1,4 +1,4 @@
-#include "bakers/plan/plan_light.h"
+#include "bakers/plan/plan.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,11 +9,9 @@
 #include "bakers/assets/multiple_scattering/solved_scattering_table.h"
 #include "bakers/math/facts.h"
 #include "bakers/plan/bake_ways.h"
-#include "bakers/plan/kept_figures.h"
 #include "bakers/plan/light_sheet.h"
 #include "bakers/plan/light_truth.h"
 #include "bakers/plan/light_ways.h"
-#include "bakers/plan/plan_files.h"
 #include "bakers/plan/sheet_pictures.h"
 #include "config/assets/asset_kind.h"
 #include "config/assets/multiple_scattering.h"

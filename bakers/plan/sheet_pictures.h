@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bakers/field/image.h"
-#include "bakers/plan/way.h"
+#include "bakers/plan/choose_way.h"
 #include "bakers/plot/chart.h"
 
 namespace skybake {

@@ -1,6 +1,8 @@
 // Gathers what pictures of clouds are made from.
 //
 // Sequences of cloud volumes: the lit pictures of their frames are one picture that plays.
+//
+// Leaps (empty-space skip distances) for a march, from a baked occupancy grid.
 #pragma once
 
 #include <map>
@@ -8,10 +10,13 @@
 #include <string>
 #include <vector>
 
+#include "bakers/march/cloud_medium.h"
 #include "bakers/preview/bake_assets.h"
 #include "bakers/preview/make_preview.h"
 #include "bakers/preview/page.h"
 #include "bakers/preview/pictures/cloud_pictures.h"
+#include "bakers/render/sky_tables.h"
+#include "config/assets/occupancy.h"
 
 namespace skybake {
 
@@ -46,5 +51,16 @@ CloudPreviewInput cloud_input(const PreviewAssets& assets, const PreviewAsset& a
 // Gathers the layers of the pictures of one sky: of each cloud, the volume with the most voxels.
 std::vector<CloudPreviewInput> scene_input(const PreviewAssets& assets,
                                            const PreviewOptions& options);
+
+// Returns leaps in cells, one per cell of the grid, from the first of the channels `leap`,
+// `occupied` and `maximum` that the grid has. Returns nothing if it has no such channel, or if it
+// does not have one value per cell and channel.
+std::optional<std::vector<float>> leaps_of_grid(const PreviewAsset& grid, const OccupancyBake& bake,
+                                                float threshold);
+
+// Returns leaps for a march through `volume`, if they are certain to lose nothing
+// (cloud_pictures.h).
+std::optional<LeapGrid> leap_grid_of(const PreviewAsset& volume, const PreviewAsset& grid,
+                                     const OccupancyBake& bake, float threshold);
 
 }  // namespace skybake

@@ -6,7 +6,6 @@
 #include <string>
 
 #include "bakers/io/manifest/manifest.h"
-#include "bakers/math/bake_options.h"
 #include "bakers/preview/bake_assets.h"
 #include "bakers/workspace/copy_asset.h"
 #include "config/diagnostics/diagnostic.h"

@@ -1,6 +1,8 @@
 // Text of HTML pages: templates, and what stands in them.
 //
 // The figures of a page: its pictures as HTML, and as browsers without scripts show them.
+//
+// Texts that the program contains: shaders, scripts and pages.
 #pragma once
 
 #include <map>
@@ -35,5 +37,9 @@ PagePicture report_plot(const PageAsset& asset);
 
 // Returns the HTML of all pictures of the page, in the order in which its scripts show them.
 std::string pictures_html(const PreviewPage& page);
+
+// Returns the text of a file of bakers/preview/live or bakers/preview/runtime by its name, such as
+// "live.html". Throws std::out_of_range where there is none.
+std::string_view embedded_text(std::string_view name);
 
 }  // namespace skybake

@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "bakers/field/interpolation.h"
-#include "bakers/render/cloud_camera.h"
 #include "bakers/render/scene_march.h"
 #include "bakers/render/scene_view.h"
 #include "bakers/render/sky_view.h"

@@ -1,8 +1,11 @@
 // How the shading languages spell the types and functions of GLSL that lookups use.
+//
+// The words, numbers and marks of a text of GLSL.
 #pragma once
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "bakers/shading/shading_language.h"
 
@@ -39,5 +42,18 @@ TextureFunction translated_texture_function(std::string_view name, std::string_v
 
 // A name that is not reserved in the language.
 std::string allowed_name(std::string_view name, ShadingLanguage language);
+
+enum class TokenKind { word, number, mark, end };
+
+// Views into the text. `before` holds the blanks and comments between the previous token and this one.
+struct Token {
+    TokenKind kind;
+    std::string_view before;
+    std::string_view text;
+    int line;  // from 1 on
+};
+
+// The last token is the end of the text, with what stands before it.
+std::vector<Token> tokens_of(std::string_view glsl);
 
 }  // namespace skybake

@@ -12,7 +12,6 @@
 
 #include "bakers/shading/dialect.h"
 #include "bakers/shading/shading_language.h"
-#include "bakers/shading/tokens.h"
 
 namespace skybake::shading {
 

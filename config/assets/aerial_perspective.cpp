@@ -10,7 +10,6 @@
 #include "config/assets/file_decoder.h"
 #include "config/fields/field_reader.h"
 #include "config/fields/fields.h"
-#include "config/text/key_path.h"
 
 namespace skybake::config {
 namespace {

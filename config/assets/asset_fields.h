@@ -13,7 +13,7 @@
 #include "config/fields/fields.h"
 #include "config/fields/section_decoder.h"
 #include "config/sections/files.h"
-#include "config/sections/packets.h"
+#include "config/sections/frames.h"
 #include "config/sections/scene.h"
 #include "config/sections/targets.h"
 

@@ -13,8 +13,8 @@
 #include "config/assets/file_decoder.h"
 #include "config/assets/output_files.h"
 #include "config/assets/target_decoder.h"
+#include "config/sections/frames.h"
 #include "config/sections/layer.h"
-#include "config/sections/packets.h"
 #include "config/text/key_path.h"
 #include "config/text/text.h"
 
@@ -122,8 +122,7 @@ using Names = std::vector<std::string>;
 
 // Whether the recipe has a layer of that name. The layer may be at fault or switched off.
 bool is_in_recipe(const Table& root, const std::string& name) {
-    const Entry* atmosphere = find_entry(root, "atmosphere");
-    const Table* table = atmosphere ? as_table(atmosphere->value) : nullptr;
+    const Table* table = find_table(root, "atmosphere");
     const Entry* layers = table ? find_entry(*table, "layers") : nullptr;
     const Table* named = layers ? as_table(layers->value) : nullptr;
     return named && find_entry(*named, name);

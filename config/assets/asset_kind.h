@@ -10,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "config/assets/asset.h"
 #include "config/fields/fields.h"
 #include "config/fields/roles.h"
 #include "config/fields/section_decoder.h"

@@ -10,7 +10,6 @@
 
 #include "config/sections/file_formats.h"
 #include "config/sections/frames.h"
-#include "config/sections/packets.h"
 #include "config/text/key_path.h"
 
 namespace skybake::config {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <numbers>
-#include <variant>
 #include <vector>
 
 #include "config/assets/asset_fields.h"
@@ -16,7 +15,6 @@
 #include "config/fields/section_decoder.h"
 #include "config/sections/cloud.h"
 #include "config/sections/parameters.h"
-#include "config/text/key_path.h"
 
 namespace skybake::config {
 namespace {

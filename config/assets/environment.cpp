@@ -15,7 +15,6 @@
 #include "config/sections/cloud.h"
 #include "config/sections/parameters.h"
 #include "config/text/key_path.h"
-#include "config/text/text.h"
 
 namespace skybake::config {
 namespace {

@@ -19,7 +19,6 @@
 #include "config/sections/frames.h"
 #include "config/sections/noise.h"
 #include "config/text/key_path.h"
-#include "config/text/text.h"
 
 namespace skybake::config {
 namespace {

@@ -10,7 +10,6 @@
 #include "config/fields/section_decoder.h"
 #include "config/sections/layer.h"
 #include "config/sections/particles.h"
-#include "config/text/key_path.h"
 
 namespace skybake::config {
 namespace {

@@ -6,7 +6,6 @@
 #include <cstdint>
 
 #include "config/sections/files.h"
-#include "config/text/key_path.h"
 
 namespace skybake::config {
 namespace {

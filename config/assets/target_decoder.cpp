@@ -6,9 +6,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "config/sections/packets.h"
+#include "config/sections/frames.h"
 #include "config/sections/targets.h"
-#include "config/text/key_path.h"
 
 namespace skybake::config {
 namespace {

@@ -7,7 +7,6 @@
 
 #include "config/assets/asset_fields.h"
 #include "config/assets/asset_kind.h"
-#include "config/assets/file_decoder.h"
 #include "config/assets/octave_checks.h"
 #include "config/fields/fields.h"
 #include "config/fields/number_reader.h"

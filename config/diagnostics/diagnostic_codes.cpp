@@ -14,11 +14,6 @@ constexpr int input_or_output = 3;
 constexpr int failed_check = 4;
 constexpr int internal = 5;
 
-std::string text_at(const Table& code, std::string_view key) {
-    const Entry* entry = find_entry(code, key);
-    return entry ? std::get<std::string>(entry->value.data) : "";
-}
-
 int exit_code_of(std::string_view code) {
     if (code.starts_with('W')) return 0;
     if (code.starts_with("E00") || code.starts_with("E01")) return usage;
@@ -34,10 +29,14 @@ std::vector<DiagnosticCode> read_codes() {
     std::vector<DiagnosticCode> codes;
     for (const Entry& entry : *table) {
         const Table& code = *as_table(entry.value);
-        std::string paragraph = text_at(code, "text");
+        const auto words = [&](std::string_view key) {
+            const std::string* text = find_text(code, key);
+            return text ? *text : std::string();
+        };
+        std::string paragraph = words("text");
         std::ranges::replace(paragraph, '\n', ' ');
-        codes.push_back({entry.key, text_at(code, "title"), std::move(paragraph),
-                         text_at(code, "wrong"), text_at(code, "right"), exit_code_of(entry.key)});
+        codes.push_back({entry.key, words("title"), std::move(paragraph), words("wrong"),
+                         words("right"), exit_code_of(entry.key)});
     }
     return codes;
 }

@@ -10,7 +10,6 @@
 #include "config/fields/number_reader.h"
 #include "config/text/key_path.h"
 #include "config/text/quantity.h"
-#include "config/text/text.h"
 #include "config/text/units.h"
 
 namespace skybake::config {

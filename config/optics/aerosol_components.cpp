@@ -134,30 +134,13 @@ constexpr MixturePart kAntarctic[] = {mixture_part(sulfate_droplets, 42.9),
                                       mixture_part(sea_salt_accumulation, 0.047),
                                       mixture_part(mineral_transported, 0.0053)};
 
-struct MixtureFacts {
-    std::string_view name;
-    std::span<const MixturePart> parts;
-    double top_km = 0, scale_height_km = 0;
-};
-
-// Table 5: heights. In the order of the enumerators.
-constexpr std::array kMixtures = {MixtureFacts{"continental_clean", kContinentalClean, 2, 8},
-                                  MixtureFacts{"continental_average", kContinentalAverage, 2, 8},
-                                  MixtureFacts{"continental_polluted", kContinentalPolluted, 2, 8},
-                                  MixtureFacts{"urban", kUrban, 2, 8},
-                                  MixtureFacts{"desert", kDesert, 6, 2},
-                                  MixtureFacts{"maritime_clean", kMaritimeClean, 2, 1},
-                                  MixtureFacts{"maritime_polluted", kMaritimePolluted, 2, 1},
-                                  MixtureFacts{"maritime_tropical", kMaritimeTropical, 2, 1},
-                                  MixtureFacts{"arctic", kArctic, 2, 99},
-                                  MixtureFacts{"antarctic", kAntarctic, 10, 8}};
+// In the order of the enumerators.
+constexpr std::array<std::span<const MixturePart>, 10> kMixtures = {
+    kContinentalClean, kContinentalAverage, kContinentalPolluted, kUrban,  kDesert,
+    kMaritimeClean,    kMaritimePolluted,   kMaritimeTropical,    kArctic, kAntarctic};
 
 const ComponentFacts& facts_of(AerosolComponent component) {
     return kComponents[static_cast<std::size_t>(component)];
-}
-
-const MixtureFacts& facts_of(AerosolMixture mixture) {
-    return kMixtures[static_cast<std::size_t>(mixture)];
 }
 
 RefractiveIndex index_at(std::span<const IndexRow> rows, Length wavelength) {
@@ -199,7 +182,6 @@ std::span<const AerosolMixture> all_aerosol_mixtures() {
 }
 
 std::string_view name_of(AerosolComponent component) { return facts_of(component).name; }
-std::string_view name_of(AerosolMixture mixture) { return facts_of(mixture).name; }
 
 std::span<const double> tabulated_humidities_percent() { return kTabulatedHumidities_percent; }
 
@@ -244,10 +226,8 @@ RefractiveIndex refractive_index_of(AerosolComponent component, Length wavelengt
 
 RefractiveIndex water_index(Length wavelength) { return index_at(kWaterIndex, wavelength); }
 
-std::span<const MixturePart> parts_of(AerosolMixture mixture) { return facts_of(mixture).parts; }
-
-MixtureLayer layer_of(AerosolMixture mixture) {
-    return {{facts_of(mixture).top_km * 1000}, {facts_of(mixture).scale_height_km * 1000}};
+std::span<const MixturePart> parts_of(AerosolMixture mixture) {
+    return kMixtures[static_cast<std::size_t>(mixture)];
 }
 
 }  // namespace skybake::config

@@ -82,7 +82,6 @@ enum class AerosolMixture {
 };
 
 std::span<const AerosolMixture> all_aerosol_mixtures();
-std::string_view name_of(AerosolMixture mixture);
 
 struct MixturePart {
     AerosolComponent component{};
@@ -91,12 +90,5 @@ struct MixturePart {
 
 // Returns the components of the mixture with their numbers near the ground.
 std::span<const MixturePart> parts_of(AerosolMixture mixture);
-
-// Where the mixture stands: from the ground to `top` its number falls as exp(-altitude / scale
-// height). Above it OPAC has its thin background of the free troposphere, which is not told here.
-struct MixtureLayer {
-    Length top, scale_height;
-};
-MixtureLayer layer_of(AerosolMixture mixture);
 
 }  // namespace skybake::config

@@ -113,8 +113,7 @@ std::string files_text(const Section& bake) {
 // Returns the tables below a key, in the order of the text.
 std::vector<const Entry*> named_tables(const Table& table, std::string_view key) {
     std::vector<const Entry*> entries;
-    const Entry* parent = find_entry(table, key);
-    const Table* below = parent ? as_table(parent->value) : nullptr;
+    const Table* below = find_table(table, key);
     if (!below) return entries;
     for (const Entry& entry : *below) entries.push_back(&entry);
     std::ranges::sort(entries, [](const Entry* a, const Entry* b) {
@@ -138,8 +137,7 @@ std::string bakes_text(const Table& root) {
     const Section* last = nullptr;
     for (const Entry* entry : named_tables(root, "bake")) {
         const auto& table = std::get<Table>(entry->value.data);
-        const Entry* asset = find_entry(table, "asset");
-        const auto* named = asset ? std::get_if<std::string>(&asset->value.data) : nullptr;
+        const std::string* named = find_text(table, "asset");
         const Section* section = find_section("bake.*", named ? *named : entry->key);
         if (!section) continue;  // no preset has such a table
         text += table_text(*section, join_path("bake", entry->key), table);
@@ -197,8 +195,7 @@ std::string commented_tables(const Table& cloud, const std::string& path) {
         text += fmt::format("\n# [{}]\n{}", at, section_text(*find_section(pattern), table, "# "));
     };
     for (const std::string_view name : subtables("clouds.*")) {
-        const Entry* entry = find_entry(cloud, name);
-        const Table* table = entry ? as_table(entry->value) : nullptr;
+        const Table* table = find_table(cloud, name);
         if (!table) continue;
         const std::string at = join_path(path, name);
         const std::string pattern = "clouds.*." + std::string(name);
@@ -217,8 +214,7 @@ std::string commented_tables(const Table& cloud, const std::string& path) {
 
 // Writes how pictures show the preset.
 std::string preview_text(const Table& cloud) {
-    const Entry* entry = find_entry(cloud, "preview");
-    const Table* preview = entry ? as_table(entry->value) : nullptr;
+    const Table* preview = find_table(cloud, "preview");
     if (!preview) return "";
     std::string text = table_text(*find_section("preview"), "preview", *preview);
     const Entry* camera = find_entry(*preview, "camera");

@@ -6,7 +6,6 @@
 #include <string>
 #include <utility>
 
-#include "config/fields/field_value.h"
 #include "config/fields/fields.h"
 #include "config/text/key_path.h"
 
@@ -15,14 +14,9 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-const std::string* text_at(const Table& table, std::string_view key) {
-    const Entry* entry = find_entry(table, key);
-    return entry ? std::get_if<std::string>(&entry->value.data) : nullptr;
-}
-
 // Returns what a bake section bakes: its `asset`, else its name.
 std::string asset_of(const Table& table, const std::string& name) {
-    const std::string* asset = text_at(table, "asset");
+    const std::string* asset = find_text(table, "asset");
     return asset ? *asset : name;
 }
 
@@ -34,8 +28,8 @@ const Section* section_of(const Names& names, const Table& table) {
         const Section* asset = find_section(section.path, asset_of(table, names.back()));
         // A section with another name and no asset is the volume of a cloud, or of a noise, whose
         // keys exclude no others.
-        return asset || text_at(table, "asset") ? asset
-                                                : find_section(section.path, "cloud_volume");
+        return asset || find_text(table, "asset") ? asset
+                                                  : find_section(section.path, "cloud_volume");
     }
     return nullptr;
 }
@@ -45,10 +39,10 @@ bool is_dropped(const Field& field, const Section& section, const Table& over) {
     for (const Field& other : section.fields) {
         if (exclude_each_other(field, other) && find_entry(over, other.key)) return true;
     }
-    const std::string* needed = field.needs.empty() ? nullptr : text_at(over, field.needs);
+    const std::string* needed = field.needs.empty() ? nullptr : find_text(over, field.needs);
     if (needed && needed->empty()) return true;
     if (field.selector.empty()) return false;
-    const std::string* selected = text_at(over, field.selector);
+    const std::string* selected = find_text(over, field.selector);
     return selected && !applies(field, *selected);
 }
 
@@ -103,7 +97,7 @@ void drop_alternatives(Table& base, const Table& over, const Section& section) {
 
 bool names_another_asset(const Table& base, const Table& over, const Names& names) {
     if (names.size() != 2 || names[0] != "bake") return false;
-    const std::string* asset = text_at(over, "asset");
+    const std::string* asset = find_text(over, "asset");
     return asset && *asset != asset_of(base, names[1]);
 }
 
@@ -131,7 +125,7 @@ void merge_entry(Table& base, std::size_t known, const Entry& entry, Names& name
 
 void merge_at(Table& base, const Table& over, Names& names) {
     if (names_another_asset(base, over, names)) base.clear();
-    const Table& says_asset = text_at(over, "asset") ? over : base;
+    const Table& says_asset = find_text(over, "asset") ? over : base;
     if (const Section* section = section_of(names, says_asset)) {
         drop_alternatives(base, over, *section);
     }
@@ -228,8 +222,7 @@ void name_particles_of_layers(Table& root) {
 }
 
 bool names_particles(const Table& layer) {
-    const Entry* phase = find_entry(layer, "phase");
-    const auto* text = phase ? std::get_if<std::string>(&phase->value.data) : nullptr;
+    const std::string* text = find_text(layer, "phase");
     return text && *text == "mie";
 }
 

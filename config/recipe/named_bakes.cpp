@@ -26,8 +26,7 @@ constexpr std::array volumes = {VolumeOf{"clouds", "cloud_volume", "cloud"},
                                 VolumeOf{"noise", "noise_volume", "noise"}};
 
 bool has_section(const Table& root, std::string_view kind, const std::string& name) {
-    const Entry* entry = find_entry(root, kind);
-    const Table* named = entry ? as_table(entry->value) : nullptr;
+    const Table* named = find_table(root, kind);
     return named && find_entry(*named, name);
 }
 
@@ -84,10 +83,8 @@ bool is_taken(const Entry& entry) {
 
 // Adds keys of the cloud that the bake names, unless it has them or others that exclude them.
 void take_keys_of_cloud(const Table& root, Table& keys) {
-    const Entry* named = find_entry(keys, "cloud");
-    const auto* name = named ? std::get_if<std::string>(&named->value.data) : nullptr;
-    const Entry* clouds = find_entry(root, "clouds");
-    const Table* all = clouds ? as_table(clouds->value) : nullptr;
+    const std::string* name = find_text(keys, "cloud");
+    const Table* all = find_table(root, "clouds");
     const Entry* cloud = name && all ? find_entry(*all, *name) : nullptr;
     const Table* of_cloud = cloud ? as_table(cloud->value) : nullptr;
     if (!of_cloud) return;

@@ -113,15 +113,9 @@ bool lay_over_presets(const SectionPresets& kind, Table& root, std::deque<Source
     return complete;
 }
 
-const std::string* string_under(const Table& table, std::string_view key) {
-    const Entry* entry = find_entry(table, key);
-    return entry ? std::get_if<std::string>(&entry->value.data) : nullptr;
-}
-
 // Whether the recipe itself says what the noise is made of.
 bool has_noise(const Table& root, const std::string& name) {
-    const Entry* noises = find_entry(root, "noise");
-    const Table* all = noises ? as_table(noises->value) : nullptr;
+    const Table* all = find_table(root, "noise");
     const Entry* entry = all ? find_entry(*all, name) : nullptr;
     if (!entry) return false;
     const Table* noise = as_table(entry->value);
@@ -170,7 +164,7 @@ void lay_over_noises_of_clouds(Table& root, std::deque<Source>& sources,
     BroughtNoises brought;
     for (Entry& cloud : *clouds) {
         Table* const table = std::get_if<Table>(&cloud.value.data);
-        const std::string* preset = table ? string_under(*table, "preset") : nullptr;
+        const std::string* preset = table ? find_text(*table, "preset") : nullptr;
         if (!preset || !find_cloud_preset(*preset)) continue;
         for (const std::string_view key : {"noise", "detail"}) {
             Entry* const named = find_entry(*table, key);

@@ -31,7 +31,7 @@ struct AssetFiles {
 // These are the keys of an asset whose channels are wavelengths.
 struct LightFiles : AssetFiles {
     int packet =
-        0;  // of wavelengths (packets.h), counted from 1; 0: the asset holds all wavelengths
+        0;  // of wavelengths (frames.h), counted from 1; 0: the asset holds all wavelengths
 };
 
 // These are the keys of an asset that may be one of many frames.

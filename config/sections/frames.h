@@ -1,7 +1,12 @@
 // This header says how volumes are baked as frames of a loop: each frame is an asset of its own, so
 // that frames can be baked apart, and the recipe has an asset for each.
+//
+// This header says how assets hold more wavelengths than a texture has channels: in packets, one
+// after the other in the order of the recipe. All have four wavelengths but the last, which may have
+// fewer. An asset holds one packet, and the recipe has an asset for each.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 
@@ -40,5 +45,21 @@ Motion motion_of(const Cloud& cloud);
 // Reports frames of a volume nothing of which moves (E0174), and warns of frames that are not whole
 // loops of what moves (W0219).
 void check_frames(const DecodedSection& bake, std::span<const Motion> motions, Decoder& decoder);
+
+inline constexpr std::size_t wavelengths_per_packet = 4;
+
+// Returns the number of packets of a recipe: 1 if a texture has a channel for each wavelength.
+int packet_count(const Parameters& parameters);
+
+// Returns the place of a packet's first wavelength among those of the recipe, and the number of
+// its wavelengths.
+struct PacketRange {
+    std::size_t first = 0;
+    std::size_t count = 0;
+};
+PacketRange packet_range(const Parameters& parameters, int packet);
+
+// Returns a recipe's parameters at the wavelengths of one packet; of packet 0, all of them.
+Parameters packet_of(const Parameters& parameters, int packet);
 
 }  // namespace skybake::config

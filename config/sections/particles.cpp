@@ -7,7 +7,6 @@
 #include "config/fields/fields.h"
 #include "config/sections/sections.h"
 #include "config/text/key_path.h"
-#include "config/text/text.h"
 #include "config/text/units.h"
 
 namespace skybake::config {

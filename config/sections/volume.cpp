@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <string_view>
 
+#include "config/fields/fields.h"
 #include "config/fields/section_decoder.h"
 #include "config/sections/sections.h"
 #include "config/text/key_path.h"
 
 namespace skybake::config {
+
 namespace {
 
 VolumeProbe the_probe = nullptr;
@@ -89,5 +91,110 @@ VolumeFile decode_volume(const std::string& name, const Place& place, const Tabl
     file_place = section.place_of("file");
     return volume;
 }
+
+namespace {
+
+constexpr Range volume_voxels_range{1, 16384};
+constexpr Range volume_index_range{-1e6, 1e6};
+constexpr Range volume_byte_range{0, 2147483647};
+constexpr Range volume_edge_range{1e-6, 1e8};
+constexpr Range volume_place_range{-1e9, 1e9};
+constexpr Range volume_crop_range{1e-6, 1e9};
+constexpr Range volume_scale_range{1e-9, 1e9};
+constexpr Range volume_border_range{0, 4096};
+
+constexpr Choice volume_format_choices[] = {
+    {VolumeFormat::vdb, "vdb", "an OpenVDB file with a grid of float, double, int32 or int64"},
+    {VolumeFormat::nvdb, "nvdb", "a NanoVDB file with a grid of type Float, Fp8 or Fp16"},
+    {VolumeFormat::raw, "raw", "numbers alone, whose layout the section gives"},
+};
+constexpr Choice volume_type_choices[] = {
+    {PixelType::float32, "float32", "32-bit floats"},
+    {PixelType::half, "half", "16-bit floats"},
+    {PixelType::unorm8, "unorm8", "bytes, of which 255 is 1"},
+    {PixelType::unorm16, "unorm16", "16-bit integers, of which 65535 is 1"},
+};
+constexpr Choice volume_byte_order_choices[] = {
+    {ByteOrder::little, "little", "the lowest byte first"},
+    {ByteOrder::big, "big", "the highest byte first"},
+};
+constexpr Choice volume_axis_order_choices[] = {
+    {AxisOrder::xyz, "xyz", "x runs fastest, z slowest"},
+    {AxisOrder::xzy, "xzy", "x runs fastest, y slowest"},
+    {AxisOrder::yxz, "yxz", "y runs fastest, z slowest"},
+    {AxisOrder::yzx, "yzx", "y runs fastest, x slowest"},
+    {AxisOrder::zxy, "zxy", "z runs fastest, y slowest"},
+    {AxisOrder::zyx, "zyx", "z runs fastest, x slowest, as in OpenVDB's leaves"},
+};
+constexpr Choice volume_up_choices[] = {
+    {VolumeUp::z, "z", "the file's z is up, as in Blender"},
+    {VolumeUp::y, "y",
+     "the file's y is up, as in Houdini: the cloud's x, y and z are its x, -z and y"},
+};
+constexpr Choice volume_wrap_choices[] = {
+    {VolumeWrap::empty, "empty", "the file's background, which is 0 for raw"},
+    {VolumeWrap::repeat, "repeat", "along x and y the volume again; above and below, empty"},
+};
+constexpr Choice volume_not_finite_choices[] = {
+    {NotFinite::refuse, "refuse", "an error that says how many they are and where the first is"},
+    {NotFinite::background, "background", "the file's background, 0 for raw"},
+};
+
+constexpr std::string_view of_grids[] = {"vdb", "nvdb"};
+constexpr std::string_view of_raw[] = {"raw"};
+
+const VolumeField volume_table[] = {
+    {"file", Kind::text, &VolumeFile::file, "the volume's file", KeyFlag::required,
+     Hint{"for example \"cloud.vdb\"; relative to the folder of the recipe"}},
+    {"format", Kind::choice, &VolumeFile::format, "what the file is", volume_format_choices,
+     Default{R"("vdb")"}},
+    {"grid", Kind::text, &VolumeFile::grid,
+     "name of the grid; density by default, or the file's only grid of numbers",
+     When{"format", of_grids}},
+    {"size", Kind::voxels, &VolumeFile::size, "voxels along the file's x, y and z",
+     volume_voxels_range, KeyFlag::required, When{"format", of_raw}},
+    {"type", Kind::choice, &VolumeFile::type, "how a number is stored", volume_type_choices,
+     Default{R"("float32")"}, When{"format", of_raw}},
+    {"byte_order", Kind::choice, &VolumeFile::byte_order, "order of the bytes of a number",
+     volume_byte_order_choices, Default{R"("little")"}, When{"format", of_raw}},
+    {"axis_order", Kind::choice, &VolumeFile::axis_order,
+     "the axes from the fastest to the slowest", volume_axis_order_choices, Default{R"("xyz")"},
+     When{"format", of_raw}},
+    {"offset", Kind::integer, &VolumeFile::offset, "bytes before the first voxel",
+     volume_byte_range, Default{"0"}, When{"format", of_raw}},
+    {"voxel_size", Kind::lengths, &VolumeFile::voxel_size,
+     "edges of a voxel along the file's x, y and z; an OpenVDB or NanoVDB file says them itself, "
+     "in metres, unless this key replaces them",
+     volume_edge_range},
+    {"crop_first", Kind::voxels, &VolumeFile::crop_first,
+     "index of the first voxel that counts, along the file's axes", volume_index_range,
+     Exclusive{"crop", "voxels"}},
+    {"crop_size", Kind::voxels, &VolumeFile::crop_size,
+     "number of voxels that count; by default all of the file's", volume_voxels_range,
+     Hint{"what the crop has beyond the file is background"}, Exclusive{"crop", "voxels"}},
+    {"crop_corner", Kind::lengths, &VolumeFile::crop_corner,
+     "lower corner of the part that counts, in the file's space", volume_place_range,
+     Hint{"it is rounded to whole voxels"}, Exclusive{"crop", "lengths"}},
+    {"crop_extent", Kind::lengths, &VolumeFile::crop_extent,
+     "how far the part that counts reaches from its corner", volume_crop_range,
+     Exclusive{"crop", "lengths"}},
+    {"up_axis", Kind::choice, &VolumeFile::up_axis, "which of the file's axes points up",
+     volume_up_choices, Default{R"("z")"}},
+    {"scale", Kind::number, &VolumeFile::scale,
+     "factor from the file's numbers to the cloud's values", volume_scale_range, Default{"1"}},
+    {"wrap", Kind::choice, &VolumeFile::wrap, "what voxels at the volume's faces are mixed with",
+     volume_wrap_choices, Default{R"("empty")"},
+     Hint{"the cloud repeats along x and y in any case"}},
+    {"border", Kind::integer, &VolumeFile::border,
+     "voxels of background that are added at the four sides", volume_border_range, Default{"0"},
+     Hint{"they keep the tiles of a cloud apart"}},
+    {"not_finite", Kind::choice, &VolumeFile::not_finite,
+     "what voxels that are NaN or infinite mean", volume_not_finite_choices,
+     Default{R"("refuse")"}},
+};
+
+}  // namespace
+
+std::span<const VolumeField> volume_fields() { return volume_table; }
 
 }  // namespace skybake::config

@@ -4,7 +4,6 @@
 #include <array>
 #include <filesystem>
 #include <string>
-#include <vector>
 
 #include "config/diagnostics/diagnostic.h"
 #include "config/sections/pixel_types.h"

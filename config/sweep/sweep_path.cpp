@@ -19,17 +19,9 @@ bool is_of_sweep(const Section& section) { return section.path.starts_with("swee
 const Table* table_at(const Table& root, const Names& names, std::size_t count) {
     const Table* table = &root;
     for (std::size_t i = 0; table && i < count; ++i) {
-        const Entry* entry = find_entry(*table, names[i]);
-        table = entry ? as_table(entry->value) : nullptr;
+        table = find_table(*table, names[i]);
     }
     return table;
-}
-
-// Returns what a bake section bakes: its `asset`, else its name.
-std::string asset_of(const Table* table, const std::string& name) {
-    const Entry* entry = table ? find_entry(*table, "asset") : nullptr;
-    const auto* asset = entry ? std::get_if<std::string>(&entry->value.data) : nullptr;
-    return asset ? *asset : name;
 }
 
 // Returns the section of the recipe's table at these names, or null if no table can be there.
@@ -37,8 +29,9 @@ const Section* section_at(const Table& root, const Names& names) {
     for (const Section& section : sections()) {
         if (is_of_sweep(section) || !names_fit(names, section)) continue;
         if (section.asset.empty()) return &section;
-        return find_section(section.path,
-                            asset_of(table_at(root, names, names.size()), names.back()));
+        const Table* table = table_at(root, names, names.size());
+        const std::string* asset = table ? find_text(*table, "asset") : nullptr;
+        return find_section(section.path, asset ? *asset : names.back());
     }
     return nullptr;
 }

@@ -59,6 +59,17 @@ inline const Entry* find_entry(const Table& table, std::string_view key) {
     return entry != table.end() && entry->key == key ? &*entry : nullptr;
 }
 
+// Returns the text, or the table, of that key; null if there is none.
+inline const std::string* find_text(const Table& table, std::string_view key) {
+    const Entry* entry = find_entry(table, key);
+    return entry ? std::get_if<std::string>(&entry->value.data) : nullptr;
+}
+
+inline const Table* find_table(const Table& table, std::string_view key) {
+    const Entry* entry = find_entry(table, key);
+    return entry ? as_table(entry->value) : nullptr;
+}
+
 inline Entry* find_entry(Table& table, std::string_view key) {
     return const_cast<Entry*>(find_entry(static_cast<const Table&>(table), key));
 }

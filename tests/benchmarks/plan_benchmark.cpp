@@ -14,9 +14,8 @@
 #include <utility>
 #include <vector>
 
-#include "bakers/plan/plan_cloud.h"
+#include "bakers/plan/plan.h"
 #include "bakers/plan/plan_files.h"
-#include "bakers/plan/plan_light.h"
 #include "config/recipe/recipe.h"
 
 namespace skybake {

@@ -17,7 +17,6 @@
 #include <fstream>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "bakers/field/baked.h"
 #include "bakers/field/voxel_array.h"

@@ -27,9 +27,16 @@ struct CaseLine {
     std::vector<Expected> expected;
 };
 
+// "#= .size [8, 8] < derived": a value of the recipe, in base units, and where it comes from.
+struct ExpectedValue {
+    int number = 0;
+    std::string path, canonical, origin;
+};
+
 struct Case {
     int number = 0;
     std::vector<CaseLine> lines, behind;
+    std::vector<ExpectedValue> values;
     std::vector<std::string> settings;
     std::vector<CaseLine> places;  // "#@ LINE" of the frame, "--set `SETTING`", or the recipe
 };
@@ -81,10 +88,12 @@ class CaseReader {
 
     void read_case(const std::string& whole, CaseLine line) {
         const std::size_t first = whole.find_first_not_of(' ');
-        const bool is_below = whole.compare(first, 2, "#^") == 0;
+        const bool is_below =
+            whole[first] == '#' && (whole[first + 1] == '^' || whole[first + 1] == '=');
         if (cases.empty() || (first == 0 && !is_below))
-            cases.push_back({line.number, before_, behind_, {}, {}});
+            cases.push_back({line.number, before_, behind_, {}, {}, {}});
         Case& open = cases.back();
+        if (is_below && whole[first + 1] == '=') return read_values(open, whole.substr(first));
         line.text.erase(0, std::min(first, line.text.size()));
         if (is_below && !open.lines.empty()) {
             auto& above = open.lines.back().expected;
@@ -103,6 +112,21 @@ class CaseReader {
             }
             open.lines.push_back(line);
         }
+    }
+
+    // A path that begins with a point is one of the frame's last section.
+    void read_values(Case& open, const std::string& line) {
+        static const std::regex value("#= (\\S+)(?: (.*?)){0,1}?(?: < (.*?))?(?= #= |$)");
+        for (std::sregex_iterator at(line.begin(), line.end(), value), end; at != end; ++at)
+            open.values.push_back({open.number, path_of((*at)[1]), (*at)[2], (*at)[3]});
+    }
+
+    std::string path_of(const std::string& path) const {
+        const auto section = std::find_if(before_.rbegin(), before_.rend(), [](const auto& line) {
+            return line.text.starts_with("[");
+        });
+        if (!path.starts_with(".") || section == before_.rend()) return path;
+        return section->text.substr(1, section->text.size() - 2) + path;
     }
 
     std::vector<CaseLine> before_, behind_, *frame_ = nullptr;
@@ -133,11 +157,26 @@ CaseLine* line_of(Case& one, const SourceRange& where) {
     return line;
 }
 
+void check_values(const Case& one, const Outcome<Recipe>& outcome, const char* path) {
+    for (const ExpectedValue& expected : one.values) {
+        ResolvedValue found;
+        for (const ResolvedValue& value :
+             outcome.value ? outcome.value->values : decltype(outcome.value->values){})
+            if (value.path == expected.path) found = value;
+        if (found.canonical == expected.canonical &&
+            (expected.origin.empty() || found.origin == expected.origin))
+            continue;
+        ADD_FAILURE_AT(path, one.number)
+            << "#= " << expected.path << ' ' << found.canonical << " < " << found.origin;
+    }
+}
+
 void check(Case one, const char* path) {
     std::string text;
     one.lines.insert(one.lines.end(), one.behind.begin(), one.behind.end());
     for (const CaseLine& line : one.lines) text += line.text + "\n";
     const Outcome<Recipe> outcome = parse_recipe(text, whole_recipe, {}, one.settings);
+    check_values(one, outcome, path);
     if (outcome.value.has_value() != (exit_code(outcome.diagnostics) == 0))
         ADD_FAILURE_AT(path, one.number) << "a value and errors, or neither";
     for (const Diagnostic& found : outcome.diagnostics) {

@@ -1,10 +1,12 @@
-#include "config/sections/sections.h"
-
 #include <gtest/gtest.h>
 
+#include "config/assets/asset_kind.h"
+#include "config/assets/flipbook.h"
+#include "config/sections/frames.h"
 #include "tests/config/clouds.h"
 
 namespace skybake::config {
+
 namespace {
 
 using testing::cloud_of;
@@ -12,38 +14,6 @@ using testing::cloud_recipe;
 
 using Pair = std::array<double, 2>;
 using Triple = std::array<int, 3>;
-
-TEST(CloudDecoder, HasItsDefaults) {
-    const Cloud cloud = cloud_of("");
-    EXPECT_EQ(cloud.name, "c");
-    EXPECT_EQ(cloud.noise, "n");
-    EXPECT_EQ(cloud.noise_scale, (Triple{1, 1, 1}));
-    EXPECT_EQ(cloud.detail, "");
-    EXPECT_EQ(cloud.erosion, (Pair{0, 0})) << "nothing erodes";
-    EXPECT_EQ(cloud.extent[0].meters, 1000);
-    EXPECT_EQ(cloud.extent[1].meters, 2000);
-    EXPECT_EQ(cloud.extent[2].meters, 500);
-    EXPECT_EQ(cloud.base_altitude.meters, 0);
-    EXPECT_EQ(cloud.height_profile.type, HeightProfileType::cumulus);
-    EXPECT_EQ(cloud.coverage, 1);
-    EXPECT_EQ(cloud.coverage_map.file, "");
-    EXPECT_TRUE(cloud.coverage_map.path.empty());
-    EXPECT_EQ(cloud.threshold, 0);
-    EXPECT_EQ(cloud.edge_softness, 0.05);
-    EXPECT_EQ(cloud.threshold_at, ThresholdAt::bake);
-    EXPECT_EQ(cloud.channels, CloudChannels::density);
-    EXPECT_EQ(cloud.extinction_scale.per_meter, 0.04);
-    EXPECT_TRUE(cloud.towers.empty());
-    const Cloud eroded = cloud_of("detail = 'd'");
-    EXPECT_EQ(eroded.detail_scale, (Triple{1, 1, 1}));
-    EXPECT_EQ(eroded.erosion, (Pair{0.2, 0.35}));
-    EXPECT_EQ(eroded.wisp_height, 0.1);
-}
-
-TEST(CloudDecoder, DensityIsFullWhereTheFileHoldsIt) {
-    EXPECT_FALSE(cloud_of("").full_at);
-    EXPECT_EQ(cloud_of("full_at = 0.2").full_at, 0.2);
-}
 
 TEST(CloudDecoder, ReadsEveryKey) {
     const Cloud cloud = cloud_of(
@@ -103,28 +73,6 @@ TEST(CloudDecoder, TowersHaveNames) {
     EXPECT_EQ(cloud.towers.at(0).name, "big");
 }
 
-TEST(CloudDecoder, WithoutADetailNothingErodes) {
-    EXPECT_EQ(cloud_of("detail = 'd'\nerosion = [0.1, 0.2]", {"clouds.c.detail=\"\""}).erosion,
-              (Pair{0, 0}))
-        << "to take the detail away takes its keys away";
-}
-
-TEST(CloudDecoder, ScaledFrequenciesHaveARange) {
-    const auto with_noise = [](const std::string& keys, const std::string& noise) {
-        return "[clouds.c]\nnoise = 'n'\nextent = ['1 m', '1 m', '1 m']\n" + keys +
-               "\n[noise.n.channels.Y]\ntype = 'worley'\n" + noise;
-    };
-    EXPECT_EQ(valid(with_noise("noise_scale = [1, 1, 1024]", "frequency = 1024"))
-                  .parameters.clouds.size(),
-              1u);
-    // Only the first channel goes into a density, all of them into channels = "noise".
-    const std::string more =
-        "[noise.n.channels.R]\ntype = 'worley'\nfrequency = 4\n[noise.n.channels.G]\n"
-        "type = 'worley'\nfrequency = 4096\n[noise.n.channels.B]\ntype = 'worley'\n"
-        "[clouds.c]\nnoise = 'n'\nnoise_scale = 1000\nextent = ['1 m', '1 m', '1 m']\n";
-    EXPECT_EQ(valid(more).parameters.clouds.size(), 1u);
-}
-
 // Maps are looked for as includes are: beside the file that names them.
 TEST(CloudDecoder, MapsLieBesideTheirRecipe) {
     const testing::TemporaryFolder folder;
@@ -147,5 +95,107 @@ TEST(CloudDecoder, MapsLieBesideTheirRecipe) {
     EXPECT_EQ(inputs[4], cloud.type_map.path);
 }
 
+// Keys of clouds whose towers live and drift, of flipbooks, and of what is made from a sequence.
+
+const std::string tower = "[[clouds.c.towers]]\ncenter = [0, 0]\nsigma = [1, 1]\namplitude = 1\n";
+
+TEST(TowerLife, IsNoneUnlessItIsGiven) {
+    const Cloud plain = cloud_of(tower);
+    EXPECT_EQ(plain.period, 0);
+    EXPECT_FALSE(plain.towers[0].lives());
+    EXPECT_FALSE(towers_move(plain));
+    const Cloud given = cloud_of("period = 48\ntime = -3\ndrift = [0.5, -2]\n" + tower +
+                                 "life = [0.4, 0.3, 0.2]\nborn = 0.25\ngrows_from = 0.5\n");
+    EXPECT_EQ(given.period, 48);
+    EXPECT_EQ(given.time, -3);
+    EXPECT_EQ(given.drift, (std::array<double, 2>{0.5, -2}));
+    EXPECT_EQ(given.towers[0].life, (std::array<double, 3>{0.4, 0.3, 0.2}));
+    EXPECT_EQ(given.towers[0].born, 0.25);
+    EXPECT_EQ(given.towers[0].grows_from, 0.5);
+    EXPECT_TRUE(towers_move(given));
+}
+
+// --- Frames -------------------------------------------------------------------------------------
+
+const std::string living = "period = 12\n" + tower + "life = [0.4, 0.3, 0.3]\n";
+
+std::string frames_of(const std::string& cloud, const std::string& keys) {
+    return cloud_recipe(cloud) + "[bake.v]\nasset = 'cloud_volume'\ncloud = 'c'\n" +
+           "size = [16, 32, 8]\nframes = 12\n" + keys;
+}
+
+TEST(CloudFrames, MoveTheCloud) {
+    const Recipe recipe = valid(frames_of("time = 30\n" + living, ""));
+    ASSERT_EQ(recipe.parameters.bakes.size(), 12u);
+    EXPECT_EQ(at_frame(recipe.parameters, 1).clouds[0].time, 6);
+    EXPECT_EQ(at_frame(recipe.parameters, 12).clouds[0].time, 17);
+    EXPECT_EQ(at_frame(recipe.parameters, 0).clouds[0].time, 30);
+}
+
+// The middle of frame n and the next one is an odd frame of a loop of twice as many.
+TEST(CloudFrames, HaveFramesBetweenThem) {
+    const Recipe recipe = valid(frames_of("time = 30\n" + living, ""));
+    const Parameters between = after_frame(recipe.parameters, 3);
+    EXPECT_EQ(between.clouds[0].period, 24);
+    EXPECT_EQ(between.clouds[0].time, 2 * 8 + 1);
+    EXPECT_EQ(between.noises[0].period, 0) << "what stands still stands still";
+}
+
+TEST(CloudFrames, AreNamedInTheirOrder) {
+    EXPECT_EQ(frame_name("v", 7, 48), "v_0007");
+    EXPECT_EQ(frame_name("v", 9999, 9999), "v_9999");
+    EXPECT_EQ(frame_name("v", 7, 10000), "v_00007");
+    EXPECT_EQ(sequence_name("a_b_0001"), "a_b");
+}
+
+// Only the first frame has the scene, and only it depends on how many follow.
+TEST(CloudFrames, HaveOneSceneForAll) {
+    const Recipe recipe =
+        valid(frames_of(living, "formats = ['vdb', 'usda']\nframes_per_second = 30\n"));
+    const AssetFiles& first = files_of(recipe.parameters.bakes[0]);
+    EXPECT_EQ(first.formats, (std::vector{FileFormat::vdb, FileFormat::usda}));
+    EXPECT_EQ(first.frames, 12);
+    EXPECT_EQ(first.frames_per_second, 30);
+    for (std::size_t i = 1; i < 12; ++i) {
+        const AssetFiles& files = files_of(recipe.parameters.bakes[i]);
+        EXPECT_EQ(files.formats, std::vector{FileFormat::vdb});
+        EXPECT_EQ(files.frames, 0);
+    }
+    EXPECT_EQ(files_of(valid(frames_of(living, "")).parameters.bakes[0]).frames, 0)
+        << "without a scene no frame knows how many there are";
+}
+
+// Occupancy of a sequence is a sequence.
+TEST(CloudFrames, AreWhatTheirOccupancyIsMadeFrom) {
+    const Recipe recipe = valid(frames_of(living, "[bake.o]\nasset = 'occupancy'\nof = 'v'\n"));
+    const Parameters& parameters = recipe.parameters;
+    ASSERT_EQ(parameters.bakes.size(), 24u);
+    const Bake& seventh = parameters.bakes[18];
+    EXPECT_EQ(seventh.name, "o_0007");
+    EXPECT_EQ(seventh.as<OccupancyBake>().of, "v_0007");
+    EXPECT_EQ(frame_of(parameters, seventh), 7);
+    const auto of_one = valid(frames_of(living, "[bake.o]\nasset = 'occupancy'\nof = 'v_0003'\n"));
+    ASSERT_EQ(of_one.parameters.bakes.size(), 13u);
+    EXPECT_EQ(frame_of(of_one.parameters, of_one.parameters.bakes[12]), 3);
+}
+
+// --- Flipbooks ----------------------------------------------------------------------------------
+
+const std::string book = "[bake.b]\nasset = 'flipbook'\nof = 'v'\n";
+
+TEST(Flipbook, HoldsAllFrames) {
+    const Recipe recipe = valid(frames_of(living, book));
+    ASSERT_EQ(recipe.parameters.bakes.size(), 13u);
+    const auto& flipbook = recipe.parameters.bakes[12].as<FlipbookBake>();
+    EXPECT_EQ(flipbook.sequence, "v");
+    EXPECT_EQ(flipbook.length, 12);
+    EXPECT_EQ(flipbook.slice, 4);
+    EXPECT_EQ(flipbook.layout, SheetLayout::atlas);
+    EXPECT_EQ(first_frame(recipe.parameters, flipbook).name, "v_0001");
+    EXPECT_EQ(frame_size(first_frame(recipe.parameters, flipbook)),
+              (std::array<int, 3>{16, 32, 8}));
+}
+
 }  // namespace
+
 }  // namespace skybake::config

@@ -3,9 +3,7 @@
 #include "config/assets/cloud_volume.h"
 #include "config/assets/noise_volume.h"
 #include "config/presets/presets.h"
-#include "config/recipe/named_bakes.h"
 #include "config/recipe/recipe.h"
-#include "config/recipe/recipe_decoder.h"
 #include "config/sections/noise.h"
 #include "tests/config/recipes.h"
 

@@ -7,22 +7,15 @@
 #include <iterator>
 
 #include "config/assets/multiple_scattering.h"
+#include "config/assets/noise_volume.h"
 #include "config/sections/atmosphere.h"
-#include "tests/config/recipes.h"
+#include "tests/config/noises.h"
 #include "tests/optics/columns.h"
 
 namespace skybake::config {
 namespace {
 
 Parameters preset(const std::string& name) { return valid("preset = '" + name + "'").parameters; }
-
-std::vector<double> per_meter(const std::vector<InverseLength>& coefficients) {
-    std::vector<double> values;
-    for (const InverseLength value : coefficients) values.push_back(value.per_meter);
-    return values;
-}
-
-using Values = std::vector<double>;
 
 TEST(Presets, AreThoseOfTheIssue) {
     EXPECT_EQ(preset_names(),
@@ -46,6 +39,8 @@ TEST(Presets, TheEarthHasItsLightSolved) {
     EXPECT_EQ(second_order("earth_hillaire").method, MultipleScatteringMethod::converged);
     EXPECT_EQ(second_order("earth_hillaire").mapping, MultipleScatteringMapping::hillaire);
 }
+
+TEST(Presets, VacuumHasNoLayers) { EXPECT_TRUE(preset("vacuum").atmosphere.layers.empty()); }
 
 // Zenith optical depths at a wavelength of 550 nm against the figures of the sources: 0.0968 (Bucholtz),
 // 0.02647 for 300 DU of ozone, and 0.151 (OPAC, continental average).
@@ -146,72 +141,10 @@ TEST(Presets, OfLayersAreLayersOfAnAtmosphere) {
     EXPECT_NE(unknown.diagnostics.front().label.find("fog"), std::string::npos);
 }
 
-// Its towers by their variances, as they are printed.
-TEST(Presets, TheCloudOfTheThesisIsTheThesis) {
-    const Cloud cloud = valid("[noise.shape]\npreset = 'thesis'\n[clouds.c]\npreset = 'thesis'\n")
-                            .parameters.clouds.at(0);
-    EXPECT_EQ(cloud.height_profile.type, HeightProfileType::thesis);
-    EXPECT_EQ(cloud.height_profile.bottom_sharpness, 50);
-    EXPECT_EQ(cloud.height_profile.top_falloff, 4);
-    EXPECT_EQ(cloud.threshold, 0.35);
-    EXPECT_EQ(cloud.edge_softness, 0.05);
-    EXPECT_EQ(cloud.threshold_at, ThresholdAt::runtime);
-    EXPECT_EQ(cloud.channels, CloudChannels::noise);
-    EXPECT_EQ(cloud.coverage, 1);
-    EXPECT_EQ(cloud.detail, "");
-    for (const Length edge : cloud.extent) EXPECT_EQ(edge.meters, 600);
-    const double expected[3][5] = {
-        {0.4, 0.2, 0.3, 0.001, 0.004}, {0.4, 0.6, 0.4, 0.008, 0.01}, {0.2, 0.3, 0.8, 0.008, 0.002}};
-    ASSERT_EQ(cloud.towers.size(), 3u);
-    for (std::size_t i = 0; i < 3; ++i) {
-        const Tower& tower = cloud.towers[i];
-        EXPECT_EQ(tower.amplitude, expected[i][0]);
-        EXPECT_EQ(tower.center[0], expected[i][1]);
-        EXPECT_EQ(tower.center[1], expected[i][2]);
-        EXPECT_NEAR(tower.sigma[0] * tower.sigma[0], expected[i][3], 1e-17);
-        EXPECT_NEAR(tower.sigma[1] * tower.sigma[1], expected[i][4], 1e-17);
-    }
-}
-
-// Number by number.
-TEST(Presets, HillairesEarthHasHisNumbers) {
-    const Parameters earth = preset("earth_hillaire");
-    ASSERT_EQ(earth.wavelengths.size(), 3u);
-    EXPECT_EQ(earth.wavelengths[0].meters, 680e-9);
-    EXPECT_EQ(earth.wavelengths[1].meters, 550e-9);
-    EXPECT_EQ(earth.wavelengths[2].meters, 440e-9);
-    EXPECT_EQ(earth.atmosphere.ground_radius.meters, 6360e3);
-    EXPECT_EQ(earth.atmosphere.top_radius.meters, 6460e3);
-    EXPECT_EQ(earth.atmosphere.ground_albedo, Values(3, 0.3));
-    ASSERT_EQ(earth.atmosphere.layers.size(), 3u);
-    const Layer* rayleigh = find_layer(earth, "rayleigh");
-    ASSERT_TRUE(rayleigh);
-    EXPECT_EQ(rayleigh->profile, Profile::exponential);
-    EXPECT_EQ(rayleigh->scale_height.meters, 8000);
-    EXPECT_EQ(per_meter(rayleigh->scattering), (Values{5.802e-6, 1.3558e-5, 3.31e-5}));
-    EXPECT_EQ(per_meter(rayleigh->extinction), (Values{5.802e-6, 1.3558e-5, 3.31e-5}));
-    EXPECT_EQ(rayleigh->phase, Phase::rayleigh);
-    const Layer* mie = find_layer(earth, "mie");
-    ASSERT_TRUE(mie);
-    EXPECT_EQ(mie->profile, Profile::exponential);
-    EXPECT_EQ(mie->scale_height.meters, 1200);
-    EXPECT_EQ(per_meter(mie->scattering), Values(3, 3.996e-6));
-    EXPECT_EQ(per_meter(mie->extinction), Values(3, 4.44e-6));
-    EXPECT_EQ(mie->phase, Phase::cornette_shanks);
-    EXPECT_EQ(mie->g, 0.8);
-    const Layer* ozone = find_layer(earth, "ozone");
-    ASSERT_TRUE(ozone);
-    EXPECT_EQ(ozone->profile, Profile::tent);
-    EXPECT_EQ(ozone->center_altitude.meters, 25000);
-    EXPECT_EQ(ozone->half_width.meters, 15000);
-    EXPECT_EQ(per_meter(ozone->scattering), Values(3, 0));
-    EXPECT_EQ(per_meter(ozone->extinction), (Values{6.5e-7, 1.881e-6, 8.5e-8}));
-}
-
 TEST(Presets, BrunetonFollowsHisFormula) {
     const Parameters parameters = preset("earth_bruneton");
     EXPECT_EQ(parameters.atmosphere.top_radius.meters, 6420e3);
-    EXPECT_EQ(parameters.atmosphere.ground_albedo, Values(3, 0.1));
+    EXPECT_EQ(parameters.atmosphere.ground_albedo, std::vector<double>(3, 0.1));
     const Layer* rayleigh = find_layer(parameters, "rayleigh");
     ASSERT_TRUE(rayleigh);
     for (std::size_t i = 0; i < 3; ++i) {
@@ -220,29 +153,6 @@ TEST(Presets, BrunetonFollowsHisFormula) {
             1.24062e-6 / (micrometers * micrometers * micrometers * micrometers);
         EXPECT_NEAR(rayleigh->scattering[i].per_meter / expected, 1, 2e-5);
     }
-}
-
-TEST(Presets, DenseEarthHasFiftyTimesTheAir) {
-    const Parameters earth = preset("earth_hillaire");
-    const Parameters dense = preset("dense_earth");
-    for (std::size_t i = 0; i < 3; ++i) {
-        EXPECT_NEAR(find_layer(dense, "rayleigh")->scattering[i].per_meter /
-                        find_layer(earth, "rayleigh")->scattering[i].per_meter,
-                    50, 1e-10);
-    }
-    EXPECT_EQ(per_meter(find_layer(dense, "mie")->extinction), Values(3, 4.44e-6));
-}
-
-TEST(Presets, TinyPlanetHasEightTimesTheCoefficients) {
-    const Parameters tiny = preset("tiny_planet");
-    EXPECT_EQ(tiny.atmosphere.ground_radius.meters, 50e3);
-    EXPECT_EQ(tiny.atmosphere.top_radius.meters, 65e3);
-    EXPECT_EQ(tiny.atmosphere.ground_albedo, Values(3, 0));
-    EXPECT_EQ(find_layer(tiny, "ozone"), nullptr);
-    EXPECT_EQ(find_layer(tiny, "rayleigh")->scale_height.meters, 2000);
-    EXPECT_EQ(find_layer(tiny, "mie")->scale_height.meters, 500);
-    EXPECT_NEAR(find_layer(tiny, "rayleigh")->scattering[2].per_meter, 8 * 3.31e-5, 1e-15);
-    EXPECT_NEAR(find_layer(tiny, "mie")->extinction[0].per_meter, 8 * 4.44e-6, 1e-15);
 }
 
 TEST(Presets, MarsHasDustOfDepthOneHalf) {
@@ -268,7 +178,29 @@ TEST(Presets, OfMeasuredSpheresTakeAnyWavelengths) {
     }
 }
 
-TEST(Presets, VacuumHasNoLayers) { EXPECT_TRUE(preset("vacuum").atmosphere.layers.empty()); }
+TEST(NoisePresets, TheExampleIsWithoutFault) {
+    const auto outcome = load_recipe(SKYBAKE_EXAMPLES "/clouds_noise.toml");
+    EXPECT_TRUE(outcome.diagnostics.empty());
+    ASSERT_TRUE(outcome.value);
+    const Parameters& parameters = outcome.value->parameters;
+    ASSERT_EQ(parameters.bakes.size(), 2u);
+    const auto& shape = parameters.bakes[0].as<NoiseVolumeBake>();
+    const auto& detail = parameters.bakes[1].as<NoiseVolumeBake>();
+    EXPECT_EQ(testing::to_string(shape), "shape [128, 128, 128] 1 0 0 1 1 2 0");
+    EXPECT_EQ(testing::to_string(detail), "detail [32, 32, 32] 1 0 0 1 1 2 0");
+}
+
+// Presets that copy a source which aliases say so in their keys, not in a warning.
+TEST(NoisePresets, BakeAtTheirSize) {
+    for (const Preset& entry : noise_presets()) {
+        const auto outcome = testing::parse("[noise.n]\npreset = '" + std::string(entry.name) +
+                                            "'\n[bake.n]\nasset = 'noise_volume'\nnoise = 'n'\n");
+        ASSERT_TRUE(outcome.value) << entry.name;
+        const auto& bake = outcome.value->parameters.bakes.at(0).as<NoiseVolumeBake>();
+        EXPECT_EQ(bake.size, outcome.value->parameters.noises.at(0).size);
+        EXPECT_TRUE(outcome.diagnostics.empty()) << entry.name;
+    }
+}
 
 }  // namespace
 }  // namespace skybake::config

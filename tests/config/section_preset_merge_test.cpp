@@ -1,39 +1,11 @@
-#include "config/recipe/merge.h"
-
 #include <gtest/gtest.h>
 
-#include "tests/config/clouds.h"
+#include "config/sections/cloud.h"
+#include "config/sections/noise.h"
+#include "tests/config/recipes.h"
 
 namespace skybake::config {
 namespace {
-
-Noise noise_of(const std::string& text, const std::vector<std::string>& settings = {}) {
-    const Recipe recipe = valid(text, settings);
-    return recipe.parameters.noises.empty() ? Noise{} : recipe.parameters.noises[0];
-}
-
-TEST(SectionPresetMerge, TheSectionOverridesItsPreset) {
-    const Noise plain = noise_of("[noise.n]\npreset = 'nubis_shape'\n");
-    const Noise changed = noise_of(
-        "[noise.n]\npreset = 'nubis_shape'\nsize = [64, 64, 64]\n"
-        "[noise.n.channels.G]\noctaves = 1\ngain = 1\n[noise.n.channels.A]\ntype = "
-        "'constant'\nvalue = 1\n");
-    ASSERT_EQ(changed.channels.size(), 4u);
-    EXPECT_TRUE(changed.channels[0] == plain.channels[0]);
-    EXPECT_TRUE(changed.channels[2] == plain.channels[2]);
-    EXPECT_EQ(changed.size[0], 64);
-    EXPECT_EQ(changed.channels[1].octaves.frequencies.size(), 1u);
-    EXPECT_EQ(changed.channels[1].value_form, WorleyValue::one_minus_distance_squared);
-    EXPECT_EQ(changed.channels[3].type, NoiseType::constant);
-    EXPECT_EQ(changed.channels[3].value, 1);
-}
-
-TEST(SectionPresetMerge, ASettingMayNameThePreset) {
-    const Noise noise =
-        noise_of("[noise.n]\npreset = 'nubis_shape'\n", {"noise.n.preset=nubis_detail"});
-    EXPECT_EQ(noise.channels.size(), 3u);
-    EXPECT_EQ(noise_of("", {"noise.n.preset=nubis_detail"}).size[0], 32);
-}
 
 TEST(SectionPresetMerge, EachNoiseHasItsOwn) {
     const Recipe recipe = valid(

@@ -1,14 +1,15 @@
-// [scene], the assets of the sky, and what belongs to a solved table of multiple scattering.
+// [scene], and assets that are pictures: cases/ has what their keys are by default.
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <numbers>
 
-#include "config/assets/aerial_perspective.h"
-#include "config/assets/irradiance.h"
-#include "config/assets/multiple_scattering.h"
+#include "config/assets/asset_kind.h"
+#include "config/assets/blue_noise.h"
+#include "config/assets/bruneton.h"
+#include "config/assets/environment.h"
 #include "config/assets/sky_view.h"
+#include "config/assets/weather_map.h"
 #include "tests/config/recipes.h"
 
 namespace skybake::config {
@@ -16,6 +17,7 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 using Codes = std::vector<std::string>;
+using Size = std::array<int, 2>;
 
 Recipe earth(const std::string& text) { return valid("preset = 'earth_hillaire'\n" + text); }
 
@@ -38,81 +40,100 @@ TEST(Scene, IsThereOnlyWhereTheRecipeSaysSo) {
 }
 
 TEST(SkyView, TakesOneSunOrSeveral) {
-    const auto one = only_bake<SkyViewBake>(earth("[bake.sky_view]\nsun_elevations = '30 deg'\n"));
-    ASSERT_EQ(one.sun_elevations.size(), 1u);
-    EXPECT_EQ(one.size, (std::array<int, 2>{192, 108}));
-    EXPECT_EQ(one.orders, SkyOrders::all);
-    EXPECT_TRUE(one.layers.empty());
     const auto three = only_bake<SkyViewBake>(
         earth("[bake.sky_view]\nsun_elevations = ['90 deg', '0 deg', '-90 deg']\n"));
     ASSERT_EQ(three.sun_elevations.size(), 3u);
     EXPECT_EQ(three.sun_elevations[2].radians, -std::numbers::pi / 2);
+    EXPECT_EQ(three.size, (Size{192, 108}));
+    EXPECT_EQ(three.orders, SkyOrders::all);
+    EXPECT_TRUE(three.layers.empty());
 }
 
-TEST(SkyView, LayersBelongToSingleScatteringAndAreThoseOfTheAtmosphere) {
-    const std::string view = "[bake.sky_view]\nsun_elevations = '30 deg'\n";
-    const auto mie =
-        only_bake<SkyViewBake>(earth(view + "orders = 'single'\nlayers = ['mie', 'ozone']\n"));
-    EXPECT_EQ(mie.layers, (Codes{"mie", "ozone"}));
-}
-
-TEST(AerialPerspective, TakesItsDistanceFromTheSceneUnlessItSaysOne) {
-    const std::string volume = "[bake.aerial_perspective]\nsun_elevation = '30 deg'\n";
-    const auto distance = [](const Recipe& recipe) {
-        return only_bake<AerialPerspectiveBake>(recipe).view_distance.meters;
-    };
-    EXPECT_EQ(distance(earth(volume)), 64000);
-    EXPECT_EQ(distance(earth("[scene]\nview_distance = '10 km'\n" + volume)), 10000);
-    const Recipe own =
-        earth("[scene]\nview_distance = '10 km'\n" + volume + "view_distance = '20 km'\n");
-    EXPECT_EQ(distance(own), 20000);
-    EXPECT_EQ(value_at(earth(volume), "bake.aerial_perspective.view_distance").origin, "derived");
-}
-
-// From space the way to the air is empty, and the longest way through it is 2 sqrt(top^2 - ground^2).
-TEST(AerialPerspective, SlicesBeginWithTheAirInSpace) {
-    const auto bake = [](const std::string& keys) {
-        const std::string radii = "ground_radius = '6360 km'\ntop_radius = '6460 km'\n";
-        return only_bake<AerialPerspectiveBake>(
-            earth("[atmosphere]\n" + radii +
-                  "[bake.aerial_perspective]\nsun_elevation = '30 deg'\n" + keys));
-    };
-    const auto space = bake("altitude = '400 km'\n");
-    EXPECT_EQ(space.slices_begin, SlicesBegin::air);
-    EXPECT_NEAR(space.view_distance.meters, 2 * std::sqrt(6460e3 * 6460e3 - 6360e3 * 6360e3), 1);
-    EXPECT_EQ(bake("altitude = '400 km'\nview_distance = '30 km'\n").view_distance.meters, 30000);
-    const auto own = bake("altitude = '400 km'\nslices_begin = 'camera'\n");
-    EXPECT_EQ(own.slices_begin, SlicesBegin::camera);
-    EXPECT_EQ(own.view_distance.meters, 64000);
-    EXPECT_EQ(bake("altitude = '100 km'\n").slices_begin, SlicesBegin::camera);
-}
-
-TEST(Irradiance, OrdersBelongToTheSkyAndLayersToSingleScattering) {
-    const std::string table = "[bake.irradiance]\n";
-    EXPECT_EQ(only_bake<IrradianceBake>(earth(table)).content, IrradianceContent::total);
-    const auto single = only_bake<IrradianceBake>(
-        earth(table + "content = 'sky'\norders = 'single'\nlayers = 'mie'"));
-    EXPECT_EQ(single.layers, Codes{"mie"});
-}
-
-TEST(MultipleScattering, ContentBelongsToSolvedTablesAndDegreeToMoments) {
-    const std::string table = "[bake.multiple_scattering]\n";
-    const auto moments =
-        only_bake<MultipleScatteringBake>(earth(table + "content = 'moments'\ndegree = 4"));
-    EXPECT_EQ(moments.content, MultipleScatteringContent::moments);
-    EXPECT_EQ(moments.degree, 4);
-    EXPECT_EQ(only_bake<MultipleScatteringBake>(earth(table)).content,
-              MultipleScatteringContent::hillaire);
-}
-
+// The parameters of files are a recipe of the same.
 TEST(SkyAssets, CarryParametersThatAreARecipe) {
+    for (const char* text :
+         {"[scene]\nview_distance = '10 km'\n"
+          "[bake.sky_view]\nsun_elevations = ['90 deg', '-90 deg']\norders = 'single'\n"
+          "layers = ['mie']\n[bake.aerial_perspective]\nsun_elevation = '5 deg'\n[bake.irradiance]",
+          "[bake.bruneton]\n", "[bake.optical_depth]\n", "[bake.bruneton]\ntable = 'irradiance'",
+          "[particles.drops]\npreset = 'fog'\n[bake.p]\nasset = 'phase'\nparticles = 'drops'\n"}) {
+        const std::string carried = testing::all_parameters(earth(text));
+        EXPECT_EQ(testing::all_parameters(valid(carried)), carried);
+    }
+}
+
+TEST(Bruneton, HasDefaultsOfItsOwn) {
+    const auto scattering = only_bake<BrunetonBake>(earth("[bake.bruneton]\n"));
+    EXPECT_EQ(scattering.orders, 0);
+    EXPECT_EQ(scattering.mie_layers, Codes{"mie"});
+    EXPECT_EQ(scattering.solar_irradiance, (std::vector<double>{1, 1, 1}));
+    EXPECT_NEAR(scattering.sun_cos_zenith_min, -0.2079, 1e-4);
+}
+
+TEST(Environment, CloudsAreAVolumeOfTheRecipe) {
     const Recipe recipe = earth(
-        "[scene]\nview_distance = '10 km'\n"
-        "[bake.sky_view]\nsun_elevations = ['90 deg', '-90 deg']\norders = 'single'\n"
-        "layers = ['mie']\n[bake.aerial_perspective]\nsun_elevation = '5 deg'\n[bake.irradiance]");
-    const std::string patterns[] = {"*", "*.*", "*.*.*", "*.*.*.*"};
-    const std::string text = parameters_toml(recipe, patterns);
-    EXPECT_EQ(parameters_toml(valid(text), patterns), text);
+        "[bake.environment]\nsun_elevation = '20 deg'\nclouds = 'v'\ncamera_x = '2 km'\n"
+        "samples = 3\n[noise.n.channels.Y]\ntype = 'perlin'\n[clouds.c]\nnoise = 'n'\n"
+        "extent = ['1 km', '1 km', '1 km']\n"
+        "[bake.v]\nasset = 'cloud_volume'\ncloud = 'c'\nsize = [16, 16, 16]\n");
+    const auto& bake = recipe.parameters.bakes.front().as<EnvironmentBake>();
+    EXPECT_TRUE(bake.has_clouds());
+    EXPECT_EQ(bake.camera_x.meters, 2000);
+    EXPECT_EQ(bake.samples, 3);
+}
+
+using Shares = std::vector<double>;
+
+TEST(WeatherMap, ReadsEveryKey) {
+    const auto bake = only_bake<WeatherMapBake>(valid(
+        "[noise.n.channels.R]\ntype = 'perlin'\n[noise.n.channels.G]\ntype = 'perlin'\n"
+        "[noise.n.channels.B]\ntype = 'perlin'\n[bake.a]\nasset = 'weather_map'\nnoise = 'n'\n"
+        "size = [16, 24]\ncovered = ['30 %', 0.5, 1]\nfull = 0.1\nedge = 'smooth'\n"
+        "yields_to = ['G', '', '']\nstreaks = [0, 0, 0.05]\nwind = '-90 deg'\n"));
+    EXPECT_EQ(bake.size, (Size{16, 24}));
+    EXPECT_EQ(bake.covered, (Shares{0.3, 0.5, 1}));
+    EXPECT_EQ(bake.full, (Shares{0.1, 0.1, 0.1}));
+    EXPECT_EQ(bake.edge, CoverEdge::smooth);
+    EXPECT_EQ(bake.yields_to, (Codes{"G", "", ""}));
+    EXPECT_EQ(bake.streaks, (Shares{0, 0, 0.05}));
+    EXPECT_NEAR(bake.wind.radians, -1.5707963, 1e-6);
+}
+
+TEST(BlueNoise, ReadsItsKeys) {
+    const auto bake = only_bake<BlueNoiseBake>(
+        valid("[bake.blue_noise]\nsize = [32, 24]\nframes = 2\nseed = 7\n"));
+    EXPECT_EQ(bake.voxels(), (std::array<int, 3>{32, 24, 2}));
+    EXPECT_EQ(bake.seed, 7U);
+    EXPECT_EQ(bake.spatial_sigma, 1.9);
+    EXPECT_EQ(bake.temporal_sigma, 1.9);
+}
+
+TEST(Bakes, StandInTheOrderOfTheFile) {
+    const Recipe recipe = earth(
+        "[bake.z]\nasset = 'transmittance'\n[bake.multiple_scattering]\n"
+        "[bake.a]\nasset = 'transmittance'\n");
+    ASSERT_EQ(recipe.parameters.bakes.size(), 3u);
+    EXPECT_EQ(recipe.parameters.bakes[0].name, "z");
+    EXPECT_EQ(recipe.parameters.bakes[1].name, "multiple_scattering");
+    EXPECT_EQ(recipe.parameters.bakes[2].name, "a");
+}
+
+TEST(Bakes, RefusesUnknownAssets) {
+    const auto diagnostics = parse(
+                                 "preset = 'vacuum'\n[bake.transmitance]\n[bake.x]\nasset = 'sky'\n"
+                                 "[bake.y]\nasset = 3\n")
+                                 .diagnostics;
+    ASSERT_EQ(diagnostics.size(), 3u);
+    EXPECT_EQ(diagnostics[0].code, "E0118");
+    EXPECT_EQ(diagnostics[0].label, "did you mean `transmittance`?");
+    EXPECT_EQ(diagnostics[0].where.column, 7);
+    EXPECT_EQ(diagnostics[1].code, "E0118");
+    EXPECT_TRUE(diagnostics[1].label.starts_with("`asset` is one of transmittance, "));
+    for (const std::string_view asset : asset_names()) {
+        EXPECT_NE(diagnostics[1].label.find(asset), std::string::npos) << asset;
+    }
+    EXPECT_EQ(diagnostics[1].where.line, 4);
+    EXPECT_EQ(diagnostics[2].code, "E0103");
 }
 
 }  // namespace

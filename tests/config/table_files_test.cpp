@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "config/sections/atmosphere.h"
-#include "tests/config/noises.h"
+#include "tests/config/recipes.h"
 #include "tests/support/outcomes.h"
 
 namespace skybake::config {

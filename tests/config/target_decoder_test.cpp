@@ -1,5 +1,3 @@
-#include "config/assets/target_decoder.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -68,6 +66,14 @@ TEST(Targets, LoadEveryAssetOrSayThatTheyDoNot) {
     }
 }
 
+TEST(Bakes, EveryAssetOfTheTablesHasItsStruct) {
+    for (const std::string_view asset : asset_names()) {
+        const Recipe recipe = valid(recipe_of(asset, ""));
+        ASSERT_EQ(recipe.parameters.bakes.size(), 2u) << asset;
+        EXPECT_EQ(kind_of(recipe.parameters.bakes[1]).facts.name, asset);
+    }
+}
+
 TEST(Targets, NameOnlyAssetsThatThereAre) {
     const std::vector<std::string_view> assets = asset_names();
     for (const TargetFacts& target : targets()) {
@@ -104,30 +110,6 @@ TEST(Targets, StellariumHasTheSunsAxisOfCalcMySky) {
     const auto& bake = recipe.parameters.bakes[1].as<BrunetonBake>();
     EXPECT_NEAR(bake.sun_cos_zenith_min, -6371.0 / (2 * 6471), 1e-12);
     EXPECT_EQ(bake.formats, std::vector{FileFormat::f32});
-}
-
-TEST(Targets, StandForAllSectionsThatNameNone) {
-    const Recipe recipe = valid(
-        "preset = 'earth_hillaire'\ntarget = 'blender'\n[bake.transmittance]\ntarget = 'three'\n"
-        "[bake.environment]\nsun_elevation = '30 deg'\n");
-    EXPECT_EQ(files_of(recipe.parameters.bakes[0]).formats, std::vector{FileFormat::ktx2});
-    EXPECT_EQ(files_of(recipe.parameters.bakes[1]).formats, std::vector{FileFormat::exr});
-    EXPECT_EQ(value_at(recipe, "bake.environment.target").canonical, "\"blender\"");
-    EXPECT_EQ(value_at(recipe, "bake.environment.target").origin, "derived");
-}
-
-TEST(Targets, YieldToGivenKeysThatTheyLoad) {
-    const Recipe recipe = valid(
-        recipe_of("noise_volume", "target = 'unreal'\npixel_type = 'unorm8'\nmips = 'all'\n"));
-    const AssetFiles& files = files_of(recipe.parameters.bakes[1]);
-    EXPECT_EQ(files.pixel_type, PixelType::unorm8);
-    EXPECT_EQ(files.mips, 5);
-    EXPECT_EQ(files.formats, std::vector{FileFormat::dds});
-    const Recipe cloud = valid(recipe_of("cloud_volume", "target = 'unreal'\nformats = ['dds']\n"));
-    EXPECT_EQ(files_of(cloud.parameters.bakes[1]).formats, std::vector{FileFormat::dds});
-    const Recipe bevy =
-        valid(recipe_of("noise_volume", "target = 'bevy'\nktx2_compression = 'zstd'\n"));
-    EXPECT_EQ(files_of(bevy.parameters.bakes[1]).ktx2_compression, Ktx2Compression::zstd);
 }
 
 // The files beside an asset's follow from the asset, whatever its mapping.

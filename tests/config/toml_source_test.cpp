@@ -98,7 +98,8 @@ TEST(TomlSource, KnowsTextsOfOtherPrograms) {
              Slip{"a = \u201c8 km\u201d\n", "a typographic quote: write the plain one, \""},
              Slip{"a =\u00a01 2\n", "a no-break space: write a plain one"},
              Slip{"preset: earth\n", "this looks like YAML; recipes are TOML: preset = \"earth\""},
-             Slip{"{\"preset\": \"earth\"}\n", "this looks like JSON; recipes are TOML: preset = \"earth\""},
+             Slip{"{\"preset\": \"earth\"}\n",
+                  "this looks like JSON; recipes are TOML: preset = \"earth\""},
              Slip{"a = 1\rb = 2\r",
                   "lines end with a carriage return alone, as on an old Mac: save with line feeds"},
          }) {

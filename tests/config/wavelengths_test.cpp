@@ -1,5 +1,4 @@
 // `wavelengths`, [color], and which assets can hold them.
-#include "config/fields/wavelength_reader.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +8,7 @@
 #include "config/assets/asset_kind.h"
 #include "config/assets/bruneton.h"
 #include "config/sections/color.h"
-#include "config/sections/packets.h"
+#include "config/sections/frames.h"
 #include "tests/config/recipes.h"
 
 namespace skybake::config {

@@ -4,23 +4,17 @@
 #include <gtest/gtest.h>
 
 #include <span>
-#include <utility>
 
-#include "bakers/assets/cloud_light/march_light.h"
-#include "bakers/assets/environment/environment_sun.h"
 #include "bakers/assets/environment/environment_table.h"
 #include "tests/environment/maps.h"
 #include "tests/light/sky_media.h"
-#include "tests/support/cloud_view_reference.h"
-#include "tests/support/outcomes.h"
 
 namespace skybake {
 namespace {
 
 using config::EnvironmentBake;
-using test::earth;
+using test::baked;
 using test::kDegree;
-using test::kPi;
 
 // A layer of 4 x 4 km from 1 to 2 km whose voxels are a function of their place, in shares of it.
 template <class Density>
@@ -44,25 +38,14 @@ CloudMedium layer_of(const std::array<int, 3>& size, double extinction_per_m,
     return medium;
 }
 
-EnvironmentBake bake_of(std::array<int, 2> size, double sun) {
-    EnvironmentBake bake;
-    bake.size = size;
-    bake.sun_elevation = {sun * kDegree};
-    bake.clouds = {"clouds"};
-    return bake;
-}
-
 using Media = std::span<const CloudMedium>;
 
 Media only(const CloudMedium& medium) { return {&medium, 1}; }
 
-Baked baked(const EnvironmentBake& bake, Media media,
-            Certification certification = Certification::off, int threads = 1) {
-    Baked table;
-    table.name = "around";
-    table.channel_names = {"R", "G", "B"};
-    return test::without_errors(bake_environment(
-        earth().light(), bake, {.threads = threads, .certification = certification}, table, media));
+EnvironmentBake bake_of(std::array<int, 2> size, double sun) {
+    EnvironmentBake bake = test::map_bake(size, sun);
+    bake.clouds = {"clouds"};
+    return bake;
 }
 
 double uneven(double x, double y, double z) {
@@ -166,56 +149,10 @@ TEST(EnvironmentClouds, TexelsWeighRaysByTheirSolidAngle) {
     EXPECT_NEAR(clouds.texel(0, 1, 0).transmittance, 0.326643862, 0.004);
 }
 
-// The slow march in double, which shares neither lanes nor leaps nor light between samples.
-TEST(EnvironmentClouds, AreTheMeansOfSlowMarches) {
-    const CloudMedium medium = layer_of({32, 32, 16}, 0.02, uneven);
-    EnvironmentBake bake = bake_of({24, 12}, 35);
-    bake.sun_azimuth = {30 * kDegree};
-    bake.samples = 8;
-    const EnvironmentLayout layout(bake.mapping, bake.size);
-    const CloudsAround clouds(only(medium), bake, layout, true, {.threads = 1});
-    MarchSettings settings;
-    settings.sun = {35, -30};
-    settings.reach_m = clouds.reach_m();
-    const cloud_light::MarchLight within(medium, cloud_light::kCellsOfPicture, {.threads = 1});
-    const auto light = within.under(settings.sun, {.threads = 1});
-    settings.solved = &*light;
-    const DiffuseShare diffuse = diffuse_share(medium, 4, 1);
-    constexpr int kEdge = 4;
-    for (const auto& [column, row] : {std::pair{3, 1}, {12, 2}, {20, 3}}) {
-        SeenLayer mean;
-        double transmittance = 0;
-        double weights = 0;
-        for (int k = 0; k < kEdge * kEdge; ++k) {
-            const double x = (column + (k % kEdge + 0.5) / kEdge) / 24;
-            const double elevation = kPi * (0.5 - (row + (k / kEdge + 0.5) / kEdge) / 12);
-            const double azimuth = 2 * kPi * (x - 0.5);
-            const glm::dvec3 direction(std::cos(elevation) * std::cos(azimuth),
-                                       -std::cos(elevation) * std::sin(azimuth),
-                                       std::sin(elevation));
-            const ReferenceRay ray = reference_ray(medium, diffuse, settings, direction, 150);
-            const double weight = std::cos(elevation);
-            mean.sun_at_base += weight * ray.sun_at_base;
-            mean.sun_at_top += weight * ray.sun_at_top;
-            mean.from_sky += weight * ray.from_sky;
-            mean.from_ground += weight * ray.from_ground;
-            transmittance += weight * ray.transmittance;
-            weights += weight;
-        }
-        const SeenClouds seen = clouds.texel(0, column, row);
-        const SeenLayer& found = seen.layers.at(0);
-        const double sun = found.sun_at_base + found.sun_at_top;
-        EXPECT_NEAR(seen.transmittance, transmittance / weights, 0.03);
-        EXPECT_NEAR(sun * weights / (mean.sun_at_base + mean.sun_at_top), 1, 0.1);
-        EXPECT_NEAR(found.from_sky, mean.from_sky / weights, 0.03);
-        EXPECT_NEAR(found.from_ground, mean.from_ground / weights, 0.03);
-    }
-}
-
 TEST(EnvironmentClouds, AreTheSameOnAnyNumberOfThreads) {
     const CloudMedium medium = layer_of({16, 16, 8}, 0.02, uneven);
     const EnvironmentBake bake = bake_of({40, 20}, 35);
-    EXPECT_EQ(baked(bake, only(medium), Certification::off, 1).image().texels,
+    EXPECT_EQ(baked(bake, only(medium)).image().texels,
               baked(bake, only(medium), Certification::off, 3).image().texels);
 }
 
@@ -226,22 +163,6 @@ TEST(EnvironmentClouds, CertifyWhatLookupsMiss) {
     EXPECT_GT(map.certificate.texel.max, 1e-4);
     EXPECT_LT(map.certificate.texel.rms, 0.1);
     EXPECT_NE(map.certificate.reference.find("64 rays"), std::string::npos);
-}
-
-// A cloud dims the sun's disc as it dims everything: all of its light, by Beer's law.
-TEST(EnvironmentClouds, DimTheDiscOfTheSun) {
-    const auto disc = [](double extinction) {
-        const CloudMedium slab =
-            layer_of({64, 64, 32}, extinction, [](double, double, double) { return 1; });
-        const EnvironmentBake bake = bake_of({4, 2}, 90);
-        const EnvironmentLayout layout(bake.mapping, bake.size);
-        const CloudsAround clouds(only(slab), bake, layout, true, {.threads = 1});
-        return irradiance_of(sun_points(earth().light(), bake, &clouds), LitSurface::facing_sun,
-                             3)[1];
-    };
-    const double clear = disc(0);
-    EXPECT_NEAR(std::log(clear / disc(0.005)), 5, 0.1);
-    EXPECT_NEAR(std::log(clear / disc(0.03)), 30, 0.6);
 }
 
 TEST(EnvironmentClouds, HardCasesAreFinite) {

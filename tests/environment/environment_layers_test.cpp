@@ -12,16 +12,17 @@
 #include "tests/environment/maps.h"
 #include "tests/light/sky_media.h"
 #include "tests/preview/clouds.h"
-#include "tests/support/outcomes.h"
 #include "tests/support/scene_reference.h"
 
 namespace skybake {
 namespace {
 
 using config::EnvironmentBake;
+using test::baked;
 using test::earth;
 using test::kDegree;
 using test::kPi;
+using test::map_bake;
 
 CloudMedium medium_of(const std::array<double, 3>& extent_m, double base_m,
                       const std::array<int, 3>& size, const std::vector<float>& voxels,
@@ -51,22 +52,6 @@ std::vector<CloudMedium> three_layers() {
     return media;
 }
 
-EnvironmentBake bake_of(std::array<int, 2> size, double sun) {
-    EnvironmentBake bake;
-    bake.size = size;
-    bake.sun_elevation = {sun * kDegree};
-    return bake;
-}
-
-Baked baked(const EnvironmentBake& bake, std::span<const CloudMedium> media,
-            Certification certification = Certification::off) {
-    Baked table;
-    table.name = "around";
-    table.channel_names = {"R", "G", "B"};
-    return test::without_errors(bake_environment(
-        earth().light(), bake, {.threads = 1, .certification = certification}, table, media));
-}
-
 double greatest_difference(const Baked& a, const Baked& b) {
     double most = 0;
     const Image2<float> of_a = a.image();
@@ -80,7 +65,7 @@ double greatest_difference(const Baked& a, const Baked& b) {
 // The slow march in double through all layers at once, with the sun to the left.
 TEST(EnvironmentLayers, AreTheMeansOfSlowMarches) {
     const std::vector<CloudMedium> media = three_layers();
-    EnvironmentBake bake = bake_of({48, 24}, 35);
+    EnvironmentBake bake = map_bake({48, 24}, 35);
     bake.sun_azimuth = {-70 * kDegree};
     bake.camera_x = {130};
     bake.camera_y = {420};
@@ -148,7 +133,7 @@ TEST(EnvironmentLayers, AreTheMeansOfSlowMarches) {
 
 TEST(EnvironmentLayers, OrderOfTheListDoesNotMatter) {
     std::vector<CloudMedium> media = three_layers();
-    EnvironmentBake bake = bake_of({32, 16}, 20);
+    EnvironmentBake bake = map_bake({32, 16}, 20);
     bake.samples = 1;
     const Baked first = baked(bake, media);
     std::rotate(media.begin(), media.begin() + 1, media.end());
@@ -161,7 +146,7 @@ TEST(EnvironmentLayers, OrderOfTheListDoesNotMatter) {
 
 TEST(EnvironmentLayers, AnEmptyLayerChangesNothing) {
     const std::vector<CloudMedium> media = three_layers();
-    EnvironmentBake bake = bake_of({32, 16}, 20);
+    EnvironmentBake bake = map_bake({32, 16}, 20);
     bake.samples = 1;
     const std::vector<CloudMedium> alone = {media[2]};
     const std::vector<CloudMedium> both = {
@@ -173,7 +158,7 @@ TEST(EnvironmentLayers, AnEmptyLayerChangesNothing) {
 TEST(EnvironmentLayers, TransmitTheProductOfTheirTransmittances) {
     const std::vector<CloudMedium> media = {slab(1000, 500, 3), slab(3000, 800, 20),
                                             slab(1200, 600, 1.5)};
-    const EnvironmentBake bake = bake_of({4, 2}, 90);
+    const EnvironmentBake bake = map_bake({4, 2}, 90);
     const EnvironmentLayout layout(bake.mapping, bake.size);
     const CloudsAround clouds(media, bake, layout, true, {.threads = 1});
     for (const double elevation : {90.0, 40.0}) {
@@ -192,7 +177,7 @@ TEST(EnvironmentLayers, TransmitTheProductOfTheirTransmittances) {
 // theory gives as 2 / (2 + (1 - g) tau). The camera is close above it and looks straight down.
 TEST(EnvironmentLayers, AboveDimTheSkyOfThoseBelow) {
     const CloudMedium low = slab(500, 500, 60);
-    EnvironmentBake bake = bake_of({1, 64}, -8);
+    EnvironmentBake bake = map_bake({1, 64}, -8);
     bake.altitude = {1010};
     const double g = mean_cosine(droplet_phase(kDropletDiameter_um));
     const auto seen_below = [&](const std::vector<CloudMedium>& media) {
@@ -205,14 +190,6 @@ TEST(EnvironmentLayers, AboveDimTheSkyOfThoseBelow) {
         EXPECT_NEAR(seen_below({slab(3000, 500, tau), low}) / open, passes, 0.02) << tau;
         EXPECT_NEAR(seen_below({low, slab(3000, 500, tau)}) / open, passes, 0.02) << tau;
     }
-}
-
-TEST(EnvironmentLayers, CertifyWhatLookupsMiss) {
-    EnvironmentBake bake = bake_of({16, 8}, 35);
-    const Baked map = baked(bake, three_layers(), Certification::quick);
-    EXPECT_TRUE(map.certified);
-    EXPECT_GT(map.certificate.texel.max, 1e-4);
-    EXPECT_LT(map.certificate.texel.rms, 0.15);
 }
 
 }  // namespace

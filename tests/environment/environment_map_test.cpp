@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "bakers/assets/environment/environment_lights.h"
 #include "bakers/assets/environment/environment_sun.h"
 #include "bakers/assets/environment/environment_table.h"
 #include "bakers/assets/environment/sphere_harmonics.h"
@@ -24,20 +23,14 @@ using test::kDegree;
 using test::kPi;
 
 EnvironmentBake bake_of(EnvironmentMapping mapping, std::array<int, 2> size, double sun) {
-    EnvironmentBake bake;
+    EnvironmentBake bake = test::map_bake(size, sun);
     bake.mapping = mapping;
-    bake.size = size;
-    bake.sun_elevation = {sun * kDegree};
     return bake;
 }
 
 Baked baked(const SkyLight& light, const EnvironmentBake& bake,
             Certification certification = Certification::off) {
-    Baked table;
-    table.name = "around";
-    table.channel_names = {"R", "G", "B"};
-    return test::without_errors(
-        bake_environment(light, bake, {.threads = 1, .certification = certification}, table));
+    return test::baked(bake, {}, certification, 1, light);
 }
 
 const std::vector<EnvironmentBake>& maps_of_one_sky() {

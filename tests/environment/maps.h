@@ -6,11 +6,16 @@
 #include <functional>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <span>
 #include <vector>
 
 #include "bakers/assets/environment/environment_mapping.h"
+#include "bakers/assets/environment/environment_table.h"
+#include "bakers/field/baked.h"
 #include "bakers/field/image.h"
 #include "config/assets/environment.h"
+#include "tests/light/sky_media.h"
+#include "tests/support/outcomes.h"
 
 namespace skybake::test {
 
@@ -76,6 +81,23 @@ void for_texels(const Image2<float>& map, const EnvironmentLayout& layout, const
             }
         }
     }
+}
+
+inline config::EnvironmentBake map_bake(std::array<int, 2> size, double sun_deg) {
+    config::EnvironmentBake bake;
+    bake.size = size;
+    bake.sun_elevation = {sun_deg * kDegree};
+    return bake;
+}
+
+inline Baked baked(const config::EnvironmentBake& bake, std::span<const CloudMedium> media,
+                   Certification certification = Certification::off, int threads = 1,
+                   const SkyLight& light = earth().light()) {
+    Baked table;
+    table.name = "around";
+    table.channel_names = {"R", "G", "B"};
+    return without_errors(bake_environment(
+        light, bake, {.threads = threads, .certification = certification}, table, media));
 }
 
 }  // namespace skybake::test

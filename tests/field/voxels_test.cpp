@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include "bakers/field/baked.h"
 #include "bakers/field/voxel_array.h"
 #include "tests/support/volumes.h"
 

@@ -11,7 +11,6 @@
 #include <atomic>
 #include <chrono>
 #include <csignal>
-#include <functional>
 
 #include "bakers/io/files/output_folder.h"
 #include "bakers/io/manifest/metadata.h"
@@ -19,6 +18,7 @@
 #include "config/assets/noise_volume.h"
 #include "config/assets/transmittance.h"
 #include "tests/io/files.h"
+#include "tests/support/cancelled_at.h"
 
 namespace skybake {
 namespace {
@@ -151,23 +151,13 @@ TEST(WriteVolume, AFullDiskIsReportedAndNothingStays) {
     EXPECT_EQ(status, 0);
 }
 
-class StopsAfter : public Progress {
-  public:
-    explicit StopsAfter(int calls) : left_(calls) {}
-    void advance(std::string_view, double) override { --left_; }
-    bool cancelled() const override { return left_ <= 0; }
-
-  private:
-    std::atomic<int> left_;
-};
-
 TEST(WriteVolume, AnInterruptionLeavesNothing) {
     const TemporaryFolder folder;
     const Baked volume =
         sample_volume({256, 256, 64}, 4, PixelType::half, {FileFormat::bin, FileFormat::exr});
     for (const int calls : {1, 5, 18, 25}) {
         ManifestAsset asset = describe_with_files(volume);
-        StopsAfter progress(calls);
+        testing::CancelledAt progress("", calls);
         {
             AtomicFiles files;
             const auto staged = stage_files(volume, asset, folder.path(), files, 2, &progress);

@@ -10,7 +10,6 @@
 #include <unistd.h>
 
 #include <atomic>
-#include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <functional>
@@ -18,18 +17,13 @@
 
 #include "bakers/io/files/file_io.h"
 #include "tests/io/files.h"
+#include "tests/support/cancelled_at.h"
 
 namespace skybake {
 namespace {
 
 namespace fs = std::filesystem;
 using Names = std::vector<std::string>;
-
-class AlwaysCancelled : public Progress {
-  public:
-    void advance(std::string_view, double) override {}
-    bool cancelled() const override { return true; }
-};
 
 TEST(AtomicFile, WritesANewFile) {
     const TemporaryFolder folder;
@@ -286,7 +280,7 @@ TEST(AtomicFile, AWriterThatFailsLeavesNothing) {
     EXPECT_EQ(folder.names(), Names{"a"});
     EXPECT_EQ(files.stage(folder / "a", writer_of("part", false)).value, WriteResult::interrupted);
     EXPECT_EQ(folder.names(), Names{"a"});
-    AlwaysCancelled cancelled;
+    testing::CancelledAt cancelled("", 0);
     EXPECT_EQ(files.stage(folder / "a", writer_of("new"), &cancelled).value,
               WriteResult::interrupted);
     EXPECT_TRUE(files.commit().empty());
@@ -333,7 +327,7 @@ TEST(AtomicFile, AFolderWithoutPermissionIsReported) {
 TEST(AtomicFile, AnInterruptionChangesNothing) {
     const TemporaryFolder folder;
     write_bytes(folder / "a", "old");
-    const AlwaysCancelled progress;
+    const testing::CancelledAt progress("", 0);
     EXPECT_EQ(write_file_atomically(folder / "a", "new", &progress).value,
               WriteResult::interrupted);
     EXPECT_EQ(read_bytes(folder / "a"), "old");

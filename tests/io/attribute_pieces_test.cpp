@@ -1,4 +1,4 @@
-#include "bakers/io/formats/exr/attribute_pieces.h"
+#include "bakers/io/formats/exr/exr_heads.h"
 
 #include <rapidcheck.h>
 

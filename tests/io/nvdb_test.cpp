@@ -8,7 +8,7 @@
 #include <cstring>
 
 #include "bakers/field/block_voxels.h"
-#include "bakers/field/leaf_codes.h"
+#include "bakers/field/block_voxels.h"
 #include "bakers/field/stored_voxels.h"
 #include "bakers/io/formats/format.h"
 #include "tests/io/files.h"

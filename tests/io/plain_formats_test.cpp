@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <cstring>
 
 #include "bakers/io/formats/format.h"
 #include "tests/io/files.h"

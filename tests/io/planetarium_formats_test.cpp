@@ -1,6 +1,5 @@
 // TIFF files and CalcMySky's textures, held to the bytes that their readers expect.
 #include <array>
-#include <cstring>
 #include <map>
 #include <string>
 

@@ -8,7 +8,6 @@
 #include "bakers/math/quadrature.h"
 #include "bakers/noise/cell_kernel.h"
 #include "bakers/noise/gradient_kernel.h"
-#include "bakers/noise/noise_reference.h"
 #include "bakers/noise/pointwise_kernel.h"
 #include "tests/noise/every_target.h"
 

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "bakers/field/certify.h"
-#include "bakers/noise/noise_reference.h"
 #include "config/assets/noise_volume.h"
 #include "tests/noise/noises.h"
 #include "tests/support/outcomes.h"

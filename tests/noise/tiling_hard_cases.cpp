@@ -7,7 +7,6 @@
 
 #include "bakers/math/quadrature.h"
 #include "bakers/noise/lattice_hash.h"
-#include "bakers/noise/noise_reference.h"
 #include "tests/noise/every_target.h"
 #include "tests/noise/running_error.h"
 #include "tests/support/hard_case.h"

@@ -11,7 +11,7 @@
 #include "bakers/assets/blue_noise/mask_figures.h"
 #include "bakers/noise/torus_energy.h"
 #include "tests/noise/void_and_cluster_reference.h"
-#include "tests/report/cancelled_at.h"
+#include "tests/support/cancelled_at.h"
 #include "tests/support/every_target.h"
 
 namespace skybake {

@@ -8,7 +8,6 @@
 
 #include "bakers/math/quadrature.h"
 #include "bakers/noise/lattice_hash.h"
-#include "bakers/noise/noise_bounds.h"
 #include "bakers/noise/noise_field.h"
 #include "bakers/noise/noise_reference.h"
 #include "tests/noise/every_target.h"

@@ -7,9 +7,8 @@
 #include <numbers>
 #include <set>
 
-#include "bakers/assets/weather_map/covered_share.h"
+#include "bakers/assets/weather_map/map_channels.h"
 #include "bakers/assets/weather_map/weather_map_table.h"
-#include "bakers/assets/weather_map/wind_streaks.h"
 #include "bakers/field/wrong_lookups.h"
 #include "bakers/noise/noise_reference.h"
 #include "config/assets/weather_map.h"

@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "bakers/occupancy/nearest_voxel.h"
+#include "bakers/occupancy/cloud_bits.h"
 #include "tests/occupancy/distance_reference.h"
 #include "tests/support/every_target.h"
 

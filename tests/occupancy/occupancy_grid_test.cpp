@@ -10,7 +10,6 @@
 
 #include "bakers/assets/occupancy/occupancy_proof.h"
 #include "bakers/field/pixel_type.h"
-#include "bakers/occupancy/leap_distance.h"
 #include "bakers/occupancy/occupied_cells.h"
 #include "config/assets/occupancy.h"
 #include "tests/clouds/clouds.h"

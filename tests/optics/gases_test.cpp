@@ -164,9 +164,7 @@ TEST(WaterVapor, AbsorbsInItsBands) {
 }
 
 // Messages print the ends of a range.
-TEST(Gases, RangesEndAtWholeNanometres) {
-    EXPECT_EQ(range_of(Gas::ozone).shortest.meters, 360e-9);
-}
+TEST(Gases, RangesEndAtWholeNanometres) { EXPECT_EQ(range_of(Gas::ozone).shortest.meters, 360e-9); }
 
 TEST(Gases, AreKnownOverTheVisible) {
     EXPECT_EQ(all_gases().size(), 7u);

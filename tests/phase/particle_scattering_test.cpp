@@ -4,7 +4,6 @@
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
-#include <complex>
 #include <numbers>
 
 #include "bakers/air/particles/size_distribution.h"

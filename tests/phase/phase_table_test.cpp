@@ -1,4 +1,3 @@
-#include "bakers/assets/phase/phase_table.h"
 #include "bakers/field/baked.h"
 #include "config/sections/layer.h"
 

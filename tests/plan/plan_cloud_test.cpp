@@ -1,4 +1,4 @@
-#include "bakers/plan/plan_cloud.h"
+#include "bakers/plan/plan.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

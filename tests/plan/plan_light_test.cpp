@@ -1,4 +1,4 @@
-#include "bakers/plan/plan_light.h"
+#include "bakers/plan/plan.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include "bakers/assets/registry/registry.h"
 #include "bakers/plan/plan_files.h"
 #include "tests/config/recipes.h"
-#include "tests/report/cancelled_at.h"
+#include "tests/support/cancelled_at.h"
 
 namespace skybake {
 namespace {

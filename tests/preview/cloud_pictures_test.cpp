@@ -9,11 +9,10 @@
 #include <utility>
 
 #include "bakers/preview/bake_assets.h"
-#include "bakers/preview/occupancy_leaps.h"
+#include "bakers/preview/cloud_inputs.h"
 #include "bakers/render/stage_progress.h"
 #include "config/assets/occupancy.h"
 #include "tests/preview/captions.h"
-#include "tests/preview/clouds.h"
 #include "tests/support/atmospheres.h"
 
 namespace skybake {

@@ -1,12 +1,19 @@
-#include "bakers/preview/pictures/sky_pictures.h"
-
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <fstream>
+#include <iterator>
 #include <set>
+#include <string>
+#include <vector>
 
+#include "bakers/preview/pictures/sky_pictures.h"
+#include "bakers/preview/pictures/sky_reference.h"
 #include "tests/preview/skies.h"
+#include "tests/support/number_rows.h"
 
 namespace skybake {
+
 namespace {
 
 using test::earth;
@@ -103,5 +110,87 @@ TEST(SkyPictures, OfOtherAtmospheres) {
                     .empty());
 }
 
+const BakeOptions kOptions{2, Certification::off, nullptr};
+
+SkyLight solved(const config::Atmosphere& atmosphere) {
+    return {atmosphere, config::SkyOrders::all, {}, kOptions};
+}
+
+// Tests a case in which the better sky looked worse, since the reference was the other one's closure.
+TEST(SkyReference, SolvedTablesAreNearerToItThanHillairesAtEverySun) {
+    std::ifstream file(SKYBAKE_EXAMPLES "/sky.toml");
+    const std::string text(std::istreambuf_iterator<char>(file), {});
+    test::Sky better;
+    better.recipe = test::recipe_of(text, {"preset=\"earth_hillaire\""});
+    test::bake_tables(better);
+    const test::Sky worse = test::sky_of("earth_hillaire");
+    const SkyLight light = solved(better.recipe.parameters.atmosphere);
+    for (const double sun : {60.0, 10.0, 0.0, -4.0}) {
+        const SkyView view = test::dome(20, 0.2, sun);
+        const auto cost = [&](const test::Sky& sky) {
+            return sky_cost(sky.medium, sky.tables, light, view, 2);
+        };
+        const SkyCost near = cost(better);
+        const SkyCost far = cost(worse);
+        EXPECT_LT(near.difference.error.rms, far.difference.error.rms) << sun;
+        EXPECT_LT(near.difference.error.rms, 0.05) << sun;
+        // Marching is a part of it, not most of it, and the same march for both.
+        EXPECT_GT(near.marching.rms, 0) << sun;
+        EXPECT_LT(near.marching.rms, 0.5 * near.difference.error.rms) << sun;
+    }
+    // The blue of the zenith is that of the solved sky.
+    const SkyView day = test::dome(9, 0.2, 30);
+    const auto red_over_blue = [&](const Image2<float>& radiance) {
+        const Image2<float> shown = better.tables.screen.shown(radiance);
+        return double{shown.texel(4, 4)[0]} / double{shown.texel(4, 4)[2]};
+    };
+    const double solved_ratio = red_over_blue(render_sky_reference(light, day, 2));
+    EXPECT_NEAR(red_over_blue(render_sky(better.medium, better.tables, day, 2)) / solved_ratio, 1,
+                0.05);
+}
+
+// The march that counts as exact: with half the steps it is the same within what its comment says.
+TEST(SkyReference, ItsExactMarchIsConverged) {
+    const test::Sky earth = test::sky_of("earth_hillaire");
+    for (const double sun : {60.0, -4.0}) {
+        const SkyView view = test::dome(16, 0.2, sun);
+        const auto marched = [&](int steps) {
+            return render_sky(earth.medium, earth.tables, view, 2, steps);
+        };
+        const Image2<float> exact = marched(kExactSteps);
+        EXPECT_LT(sky_difference(marched(kExactSteps / 2), exact, view).error.rms, 2e-4) << sun;
+    }
+}
+
+// Path-traced radiance of Earth's air over black ground, all orders with true phase functions, suns
+// from the zenith to 6 degrees below the horizon: of another method and another author.
+TEST(SkyReference, AgreesWithPathTracing) {
+    const config::Atmosphere atmosphere =
+        test::recipe_of("preset = \"earth_hillaire\"\n", {"atmosphere.ground_albedo=0"})
+            .parameters.atmosphere;
+    const SkyLight light = solved(atmosphere);
+    std::vector<double> errors;
+    for (const auto& v : test::number_rows(SKYBAKE_TEST_DATA "/truth_sky_setH0_h0.5.csv")) {
+        // A dome of one pixel looks at the zenith: the view's zenith is what is asked of it.
+        if (v[2] > 1e-9) continue;
+        const SkyView view = test::dome(1, v[0], 90 - v[1]);
+        const Image2<float> pixel = render_sky_reference(light, view, 1);
+        errors.push_back(std::fabs(double{pixel.texel(0, 0)[static_cast<int>(v[4])]} / v[11] - 1));
+    }
+    ASSERT_GT(errors.size(), 10U);
+    std::sort(errors.begin(), errors.end());
+    EXPECT_LT(errors[errors.size() / 2], 0.005);
+    EXPECT_LT(errors.back(), 0.03);
+}
+
+TEST(SkyReference, DoesNotDependOnThreads) {
+    const SkyLight light =
+        solved(test::recipe_of("preset = \"tiny_planet\"\n").parameters.atmosphere);
+    const SkyView view = test::panorama(12, 0.2, 1);
+    EXPECT_EQ(render_sky_reference(light, view, 1).texels,
+              render_sky_reference(light, view, 3).texels);
+}
+
 }  // namespace
+
 }  // namespace skybake

@@ -7,7 +7,7 @@
 
 #include "bakers/report/measurement.h"
 #include "config/recipe/recipe.h"
-#include "tests/report/cancelled_at.h"
+#include "tests/support/cancelled_at.h"
 
 namespace skybake {
 namespace {

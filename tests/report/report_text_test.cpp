@@ -1,12 +1,15 @@
-#include "bakers/report/report_files.h"
-
 #include <gtest/gtest.h>
-
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <string>
+
+#include "bakers/report/report_files.h"
+#include "tests/config/recipes.h"
 #include "tests/report/sample_rows.h"
 
 namespace skybake {
+
 namespace {
 
 // RFC 4180.
@@ -67,5 +70,64 @@ TEST(ReportText, OfNoAssetsIsWellFormed) {
     EXPECT_TRUE(nlohmann::json::parse(report_json({}))["assets"].empty());
 }
 
+TEST(ReportFigure, ShowsTitlesUnitsAndLabels) {
+    const Figure figure = report_figure(testing::sample_report());
+    EXPECT_EQ(figure.title, "air: what accuracy costs");
+    EXPECT_EQ(figure.subtitles[0],
+              "error against a \"reference\" <finer> & slower (16 points; absolute)");
+    EXPECT_EQ(figure.families, std::vector<std::string>{"size"});
+    ASSERT_EQ(figure.charts.size(), 2u);
+    EXPECT_EQ(figure.charts[0].across.title, "time (ms)");
+    EXPECT_EQ(figure.charts[0].up.title, "lookup error, RMS");
+    EXPECT_EQ(figure.charts[1].across.title, "files (KiB)");
+    const std::vector<ChartPoint>& points = figure.charts[0].points;
+    ASSERT_EQ(points.size(), 3u);
+    EXPECT_EQ(points[0].label, "the paper's & ours");
+    EXPECT_EQ(points[1].label, "this recipe");
+    EXPECT_EQ(points[2].label, "") << "neither emphasised nor on the front";
+    EXPECT_EQ(points[1].x, 2);
+    EXPECT_DOUBLE_EQ(points[1].y, 3e-4);
+    EXPECT_TRUE(points[1].on_front && points[1].emphasised && !points[2].on_front);
+    EXPECT_NEAR(figure.charts[1].points[0].x, 1234 / 1024.0, 1e-12);
+}
+
+TEST(ReportSvg, IsKnownToReports) {
+    const std::string svg = report_svg(report_figure(testing::sample_report()));
+    EXPECT_LT(svg.find("<!-- skybake report -->"), 100u);
+    EXPECT_NE(svg.find("size 128x32, &quot;fine&quot;: 2 ms, lookup error 0.0003 RMS"),
+              std::string::npos);
+}
+
+TEST(ReportFiles, AreNamedAsAnnounced) {
+    std::vector<std::string> names;
+    for (const ReportFile& file : report_files({testing::sample_report()})) {
+        names.push_back(file.name);
+    }
+    EXPECT_EQ(names, report_file_names({"air"}));
+}
+
+TEST(ReportFiles, KnowTheirOwn) {
+    for (const ReportFile& file : report_files({testing::sample_report()})) {
+        EXPECT_TRUE(is_report_text(file.name, file.text)) << file.name;
+        EXPECT_FALSE(is_report_text(file.name, "mine")) << file.name;
+        EXPECT_FALSE(is_report_text(file.name, "")) << file.name;
+    }
+}
+
+TEST(ReportFiles, ForeignOnesAreDiagnosed) {
+    const config::testing::TemporaryFolder folder;
+    const auto names = report_file_names({"air"});
+    EXPECT_TRUE(foreign_report_files(folder.path(), names).empty());
+    for (const ReportFile& file : report_files({testing::sample_report()})) {
+        folder.write(file.name, file.text);
+    }
+    EXPECT_TRUE(foreign_report_files(folder.path(), names).empty());
+    folder.write("air.svg", "<svg/>");
+    const auto diagnostics = foreign_report_files(folder.path(), names);
+    ASSERT_EQ(diagnostics.size(), 1u);
+    EXPECT_EQ(diagnostics[0].code, "E0303");
+}
+
 }  // namespace
+
 }  // namespace skybake

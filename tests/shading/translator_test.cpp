@@ -10,7 +10,6 @@
 #include "bakers/assets/description/glsl_lookup.h"
 #include "bakers/shading/dialect.h"
 #include "bakers/shading/shading_language.h"
-#include "bakers/shading/tokens.h"
 
 namespace skybake {
 namespace {

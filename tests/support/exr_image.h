@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "bakers/field/image.h"
-#include "bakers/io/formats/exr/attribute_pieces.h"
+#include "bakers/io/formats/exr/exr_heads.h"
 #include "config/diagnostics/diagnostic.h"
 #include "config/sections/file_formats.h"
 

@@ -74,14 +74,10 @@ int run_program(std::vector<std::string> words) {
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
-    const pid_t child = ::fork();
-    if (child == 0) {
+    return testing::in_child([&] {
         ::execv(SKYBAKE_PROGRAM, arguments.data());
-        ::_exit(126);
-    }
-    int status = 0;
-    ::waitpid(child, &status, 0);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+        return 126;
+    });
 }
 
 TEST(LargeVolume, IsSearchedWithinAGibibyte) {

@@ -7,7 +7,6 @@
 
 #include "bakers/math/half_conversion.h"
 #include "tests/io/files.h"
-#include "tests/support/exr_image.h"
 #include "tests/support/outcomes.h"
 #include "tests/support/volumes.h"
 #include "tests/volumes/vdb_files.h"

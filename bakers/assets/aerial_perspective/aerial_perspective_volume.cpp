@@ -11,7 +11,7 @@
 #include <span>
 #include <utility>
 
-#include "bakers/assets/sky/sky_asset.h"
+#include "bakers/field/baked.h"
 #include "bakers/field/finish_volume.h"
 #include "bakers/field/voxel_array.h"
 #include "bakers/light/sky_ray.h"

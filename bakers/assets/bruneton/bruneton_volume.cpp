@@ -14,7 +14,6 @@
 #include "bakers/assets/bruneton/table_content.h"
 #include "bakers/assets/description/asset_label.h"
 #include "bakers/field/baked.h"
-#include "bakers/field/finish_volume.h"
 #include "bakers/light/higher_orders.h"
 #include "bakers/light/shared_light.h"
 #include "bakers/light/sky_light.h"

@@ -1,4 +1,4 @@
-// Compares the distances of a texture with exact ones, found by search (nearest_voxel.h).
+// Compares the distances of a texture with exact ones, found by search (cloud_bits.h).
 #pragma once
 
 #include <array>
@@ -6,7 +6,7 @@
 
 #include "bakers/field/conventions.h"
 #include "bakers/math/bake_options.h"
-#include "bakers/occupancy/nearest_voxel.h"
+#include "bakers/occupancy/cloud_bits.h"
 #include "bakers/occupancy/stored_distance.h"
 
 namespace skybake::occupancy {

@@ -15,7 +15,6 @@
 #include "bakers/assets/sources/source_files.h"
 #include "bakers/io/manifest/asset_files.h"
 #include "bakers/occupancy/cloud_bits.h"
-#include "bakers/occupancy/nearest_voxel.h"
 #include "config/assets/cloud_distance.h"
 #include "config/assets/cloud_volume.h"
 #include "config/sections/parameters.h"

@@ -11,7 +11,6 @@
 #include "bakers/assets/cloud_light/light_values.h"
 #include "bakers/assets/environment/environment_mapping.h"
 #include "bakers/assets/environment/environment_sky.h"
-#include "bakers/assets/environment/wide_sky.h"
 #include "bakers/assets/sky/sky_asset.h"
 #include "bakers/assets/sky/sky_lights.h"
 #include "bakers/color/color_space.h"

@@ -1,5 +1,9 @@
 // Gathers the inputs of a cloud: noises of the recipe, and maps and volumes from files.
+//
+// Checks the files that the clouds of a recipe are made from, before any of them is baked.
 #pragma once
+
+#include <vector>
 
 #include "bakers/assets/cloud_volume/cloud_volume.h"
 #include "bakers/math/facts.h"
@@ -16,5 +20,9 @@ namespace skybake {
 // if there is none. After an interruption there may be neither inputs nor diagnostics.
 Outcome<CloudInputs> cloud_inputs(const Parameters& parameters, const CloudVolumeBake& bake,
                                   Facts& details, const BakeOptions& options = {});
+
+// Reads every map and volume that the recipe names, even if no bake needs it. Returns E0300
+// and E0304 at the recipe's line.
+[[nodiscard]] std::vector<Diagnostic> check_cloud_files(const Parameters& parameters);
 
 }  // namespace skybake

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <optional>
 
-#include "bakers/assets/environment/wide_sky.h"
+#include "bakers/assets/environment/environment_sky.h"
 #include "bakers/math/parallel.h"
 #include "bakers/math/transcendental.h"
 

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-#include "bakers/assets/environment/wide_sky.h"
+#include "bakers/assets/environment/environment_sky.h"
 #include "bakers/math/relative_error.h"
 #include "config/assets/environment.h"
 

@@ -4,10 +4,14 @@
 // Azimuths are spaced evenly from the sun to its opposite side, angles above and below the horizon as
 // squares (sky_view_mapping.h). Between them values are cubic polynomials through the four nearest
 // nodes along each axis.
+//
+// The model of the asset sky_view for rows of thousands of azimuths.
 #pragma once
 
+#include "bakers/assets/sky_view/sky_view_table.h"
 #include "bakers/field/image.h"
 #include "bakers/field/table_model.h"
+#include "bakers/light/sky_light.h"
 #include "bakers/light/sky_view_mapping.h"
 #include "bakers/math/bake_options.h"
 
@@ -37,5 +41,9 @@ double turn_from_sun(double half_turns);
 // Whether a camera sees air or ground at an angle above the horizon. Rays from space that pass above
 // the air see nothing.
 bool sees_air(const SkyViewCamera& camera, double above_horizon);
+
+// Returns sky_view_model with rows by wide_row.h. All arguments must outlive the model.
+TableModel wide_sky_model(const SkyLight& light, const SkyViewCamera& camera, const SunZenith& sun,
+                          SeenGround ground = SeenGround::lit);
 
 }  // namespace skybake

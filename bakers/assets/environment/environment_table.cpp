@@ -8,14 +8,13 @@
 #include <utility>
 
 #include "bakers/air/ray.h"
-#include "bakers/assets/environment/environment_lights.h"
 #include "bakers/assets/environment/environment_sun.h"
 #include "bakers/assets/environment/prefilter.h"
 #include "bakers/assets/environment/sphere_harmonics.h"
 #include "bakers/assets/sky/sky_asset.h"
 #include "bakers/field/stored_voxels.h"
 #include "bakers/light/sky_ray.h"
-#include "config/sections/packets.h"
+#include "config/sections/frames.h"
 
 namespace skybake {
 

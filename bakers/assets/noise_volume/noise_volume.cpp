@@ -8,7 +8,6 @@
 #include <cstddef>
 #include <memory>
 #include <set>
-#include <string>
 #include <utility>
 
 #include "bakers/assets/registry/baker.h"

@@ -18,7 +18,6 @@
 #include "config/assets/assets.h"
 #include "config/sections/frames.h"
 #include "config/sections/layer.h"
-#include "config/sections/packets.h"
 #include "config/text/key_path.h"
 
 namespace skybake {

@@ -9,8 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "bakers/assets/weather_map/covered_share.h"
-#include "bakers/assets/weather_map/wind_streaks.h"
+#include "bakers/assets/weather_map/map_channels.h"
 #include "bakers/field/baked.h"
 #include "bakers/field/finish_volume.h"
 #include "bakers/field/pixel_type.h"

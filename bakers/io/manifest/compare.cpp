@@ -14,7 +14,7 @@
 #include "bakers/io/formats/format.h"
 #include "bakers/io/formats/hdr/hdr.h"
 #include "bakers/io/volumes/grid_files.h"
-#include "bakers/io/volumes/leaf_cubes.h"
+#include "bakers/io/volumes/grid_voxels.h"
 
 namespace skybake {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "bakers/assets/description/glsl_lookup.h"
 #include "bakers/march/cloud_light.h"
-#include "bakers/preview/embedded_text.h"
+#include "bakers/preview/page_text.h"
 #include "bakers/preview/runtime/runtime_library.h"
 
 namespace skybake {

@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 
 #include "bakers/assets/description/glsl_lookup.h"
-#include "bakers/preview/embedded_text.h"
 #include "bakers/preview/page_text.h"
 
 namespace skybake {

@@ -9,7 +9,7 @@
 #include "bakers/assets/cloud_volume/cloud_volume.h"
 #include "bakers/occupancy/cell_grid.h"
 #include "bakers/preview/bake_assets.h"
-#include "bakers/preview/occupancy_leaps.h"
+#include "bakers/preview/cloud_inputs.h"
 #include "bakers/preview/pictures/asset_pictures.h"
 #include "bakers/render/white_balance.h"
 #include "config/recipe/recipe.h"

@@ -8,7 +8,7 @@
 
 #include "bakers/assets/cloud_volume/cloud_volume.h"
 #include "bakers/occupancy/cell_grid.h"
-#include "bakers/preview/occupancy_leaps.h"
+#include "bakers/preview/cloud_inputs.h"
 #include "bakers/preview/pictures/asset_pictures.h"
 #include "bakers/preview/pictures/cloud_lighting.h"
 #include "bakers/render/stage_progress.h"

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "bakers/assets/registry/registry.h"
-#include "bakers/preview/embedded_text.h"
+#include "bakers/preview/page_text.h"
 #include "bakers/render/sky_view.h"
 #include "bakers/render/sun_disc.h"
 #include "config/recipe/recipe.h"

@@ -13,7 +13,7 @@
 #include "bakers/assets/cloud_volume/cloud_volume.h"
 #include "bakers/assets/registry/registry.h"
 #include "bakers/march/layer_march.h"
-#include "bakers/preview/embedded_text.h"
+#include "bakers/preview/page_text.h"
 #include "bakers/render/white_balance.h"
 #include "config/assets/cloud_volume.h"
 #include "config/assets/occupancy.h"

@@ -15,7 +15,6 @@
 #include "bakers/io/files/to_string.h"
 #include "bakers/io/formats/exr/exr_chunks.h"
 #include "bakers/io/formats/exr/exr_library.h"
-#include "bakers/io/formats/exr/exr_stream.h"
 
 namespace skybake {
 namespace {

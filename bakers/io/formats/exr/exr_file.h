@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "bakers/io/formats/exr/attribute_pieces.h"
+#include "bakers/io/formats/exr/exr_heads.h"
 #include "bakers/io/formats/format.h"
 #include "config/diagnostics/diagnostic.h"
 #include "config/sections/file_formats.h"

@@ -23,6 +23,7 @@
 #include "config/text/key_path.h"
 
 namespace skybake {
+
 namespace {
 
 using config::Compression;

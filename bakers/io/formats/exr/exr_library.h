@@ -1,16 +1,23 @@
 // Translates between skybake's types and OpenEXR's. Only exr*.cpp include this file and know the
 // library.
+//
+// A file as the library reads it.
 #pragma once
 
 #include <ImfHeader.h>
 #include <ImfIO.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <optional>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "bakers/io/formats/exr/attribute_pieces.h"
+#include "bakers/io/files/file_io.h"
 #include "bakers/io/formats/exr/exr_file.h"
+#include "bakers/io/formats/exr/exr_heads.h"
 #include "config/diagnostics/diagnostic.h"
 #include "config/sections/file_formats.h"
 
@@ -58,5 +65,34 @@ ExrFacts facts_of(const Imf::Header& header);
 
 // Returns E0304 for a damaged file.
 config::Diagnostic damaged_exr(const std::string& name, const std::string& reason);
+
+class ExrStream : public Imf::IStream {
+  public:
+    ExrStream(const std::string& name, FileInput file)
+        : Imf::IStream(name.c_str()), file_(std::move(file)) {}
+    bool read(char out[], int count) override {
+        const auto wanted = static_cast<std::size_t>(std::max(count, 0));
+        const auto done = file_.read(position_, out, wanted);
+        if (!done) {
+            failed_ = true;
+            throw std::runtime_error("it cannot be read");
+        }
+        if (*done < wanted) throw std::runtime_error("it ends early");
+        position_ += wanted;
+        return position_ < file_.size();
+    }
+    uint64_t tellg() override { return position_; }
+    void seekg(uint64_t position) override { position_ = position; }
+    std::uint64_t size() const { return file_.size(); }
+    // Returns why the file could not be read, if the system gave a reason.
+    std::optional<config::Diagnostic> failure() const {
+        return failed_ ? std::optional(file_.diagnostic()) : std::nullopt;
+    }
+
+  private:
+    FileInput file_;
+    std::uint64_t position_ = 0;
+    bool failed_ = false;
+};
 
 }  // namespace skybake

@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "bakers/field/baked.h"
-#include "bakers/field/leaf_codes.h"
+#include "bakers/field/block_voxels.h"
 #include "bakers/field/pixel_type.h"
 
 namespace skybake {

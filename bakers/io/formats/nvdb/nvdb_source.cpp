@@ -10,13 +10,10 @@
 #include <utility>
 #include <vector>
 
-#include "bakers/io/formats/nvdb/nvdb_checksum.h"
 #include "bakers/io/formats/nvdb/nvdb_input.h"
 #include "bakers/io/formats/nvdb/nvdb_tree.h"
-#include "bakers/io/volumes/density_ramp.h"
-#include "bakers/io/volumes/grid_names.h"
-#include "bakers/io/volumes/index_axes.h"
-#include "bakers/io/volumes/leaf_cubes.h"
+#include "bakers/io/volumes/file_voxels.h"
+#include "bakers/io/volumes/grid_voxels.h"
 
 namespace skybake {
 namespace {

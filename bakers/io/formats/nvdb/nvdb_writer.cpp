@@ -8,7 +8,7 @@
 
 #include "bakers/field/baked.h"
 #include "bakers/io/files/file_io.h"
-#include "bakers/io/formats/nvdb/nvdb_checksum.h"
+#include "bakers/io/formats/nvdb/nvdb_input.h"
 #include "bakers/io/formats/nvdb/nvdb_layout.h"
 #include "bakers/io/formats/nvdb/nvdb_leaves.h"
 #include "bakers/io/formats/vdb/vdb_file.h"

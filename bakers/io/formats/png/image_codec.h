@@ -37,7 +37,7 @@ struct ImageCodec {
     // contains no date and no software's name, so the same picture gives the same bytes.
     EncodedPicture (*encode_png)(int width, int height, std::span<const std::uint8_t> rgb);
 
-    // Makes a Radiance picture in the same way from texels that RGBE holds (bakers/field/rgbe.h), none of
+    // Makes a Radiance picture in the same way from texels that RGBE holds (bakers/field/pixel_type.h), none of
     // which it rounds.
     EncodedPicture (*encode_hdr)(int width, int height, std::span<const float> rgb);
 };

@@ -6,7 +6,6 @@
 // Source: Adobe, "TIFF Revision 6.0" (1992). Files are smaller than 4 GiB.
 #include <fmt/format.h>
 
-#include <cstring>
 #include <limits>
 #include <optional>
 #include <string>

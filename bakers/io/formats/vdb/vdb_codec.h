@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "bakers/field/level.h"
-#include "bakers/io/formats/exr/attribute_pieces.h"
+#include "bakers/io/formats/exr/exr_heads.h"
 #include "bakers/io/formats/vdb/vdb_file.h"
 #include "bakers/io/formats/vdb/vdb_source.h"
 #include "bakers/io/formats/vdb/vdb_tree.h"

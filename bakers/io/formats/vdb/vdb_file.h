@@ -26,7 +26,7 @@
 #include <string>
 #include <vector>
 
-#include "bakers/io/formats/exr/attribute_pieces.h"
+#include "bakers/io/formats/exr/exr_heads.h"
 #include "bakers/io/formats/format.h"
 #include "bakers/math/bake_options.h"
 #include "config/diagnostics/diagnostic.h"

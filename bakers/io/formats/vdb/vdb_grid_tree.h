@@ -12,8 +12,8 @@
 
 #include "bakers/io/formats/vdb/vdb_input.h"
 #include "bakers/io/formats/vdb/vdb_library.h"
-#include "bakers/io/volumes/density_ramp.h"
-#include "bakers/io/volumes/value_faults.h"
+#include "bakers/io/volumes/file_voxels.h"
+#include "bakers/io/volumes/grid_voxels.h"
 
 namespace skybake::vdb {
 

@@ -14,9 +14,8 @@
 #include "bakers/io/formats/vdb/vdb_grid_tree.h"
 #include "bakers/io/formats/vdb/vdb_input.h"
 #include "bakers/io/formats/vdb/vdb_library.h"
-#include "bakers/io/volumes/grid_names.h"
-#include "bakers/io/volumes/index_axes.h"
-#include "bakers/io/volumes/leaf_cubes.h"
+#include "bakers/io/volumes/file_voxels.h"
+#include "bakers/io/volumes/grid_voxels.h"
 
 namespace skybake::vdb {
 namespace {

@@ -1,10 +1,28 @@
-#include "bakers/io/volumes/index_axes.h"
+#include "bakers/io/volumes/file_voxels.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
 
 namespace skybake {
+
+std::string words_of_fault(const ValueFaults::Kind& kind, const char* what) {
+    const std::string first =
+        fmt::format("its voxel ({}) is {}", fmt::join(kind.index, ", "), kind.value);
+    return kind.count == 1
+               ? first
+               : fmt::format("{}, the first of {} that are {}", first, kind.count, what);
+}
+
+std::string refusal_of(const ValueFaults& faults) {
+    return words_of_fault(faults.not_finite, "not finite") +
+           "; not_finite = \"background\" takes the background in their place";
+}
+
 namespace {
 
 // A box of space's axes along those of indices, or the other way round.
@@ -103,6 +121,28 @@ void turn_to_space(const IndexAxes& axes, FileVoxels& voxels) {
     }
     if (voxels.voxels)
         voxels.voxels = std::make_shared<TurnedVoxels>(axes, std::move(voxels.voxels));
+}
+
+std::optional<std::string> find_grid_name(const std::vector<GridName>& grids,
+                                          const std::string& asked, std::size_t& number) {
+    const std::string wanted = asked.empty() ? "density" : asked;
+    const auto named = std::find_if(grids.begin(), grids.end(),
+                                    [&](const GridName& grid) { return grid.name == wanted; });
+    const auto is_of_numbers = [](const GridName& grid) { return grid.is_of_numbers; };
+    auto found = named;
+    const bool takes_any = asked.empty() && (named == grids.end() || !named->is_of_numbers);
+    if (takes_any && std::count_if(grids.begin(), grids.end(), is_of_numbers) == 1) {
+        found = std::find_if(grids.begin(), grids.end(), is_of_numbers);
+    }
+    number = static_cast<std::size_t>(found - grids.begin());
+    if (found != grids.end()) return std::nullopt;
+    if (grids.empty()) return "it has no grids";
+    std::vector<std::string> choices;
+    for (const GridName& grid : grids) {
+        if (grid.is_of_numbers) choices.push_back(fmt::format("grid = \"{}\"", grid.name));
+    }
+    if (choices.empty()) return "it has no grid of numbers";
+    return fmt::format("it has no grid `{}`; write {}", wanted, fmt::join(choices, " or "));
 }
 
 }  // namespace skybake

@@ -1,4 +1,4 @@
-// An interruption in the middle of a report or a plan.
+// An interruption in the middle of what is done.
 #pragma once
 
 #include <atomic>
@@ -8,12 +8,12 @@
 
 namespace skybake::testing {
 
-// Cancels once `step` has advanced so many times.
+// Cancels once `step` has advanced so many times; if it is empty, once any step has.
 class CancelledAt : public Progress {
   public:
     CancelledAt(std::string_view step, int times) : step_(step), times_(times) {}
     void advance(std::string_view step, double) override {
-        if (step == step_) ++seen_;
+        if (step_.empty() || step == step_) ++seen_;
     }
     bool cancelled() const override { return seen_ >= times_; }
 

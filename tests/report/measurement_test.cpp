@@ -1,11 +1,48 @@
-#include "bakers/report/measurement.h"
-
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <fstream>
 #include <limits>
+#include <string>
+#include <thread>
+
+#include "bakers/report/measurement.h"
 
 namespace skybake {
+
 namespace {
+
+void write(const MemoryFile& file, const std::string& text) {
+    std::ofstream stream(file.path(), std::ios::binary | std::ios::trunc);
+    stream << text;
+    EXPECT_TRUE(stream.good());
+}
+
+TEST(MemoryFile, HoldsWhatIsWrittenToItsPath) {
+    const MemoryFile file;
+    EXPECT_EQ(file.bytes(), 0u);
+    write(file, "seven b");
+    EXPECT_EQ(file.bytes(), 7u);
+    std::string text;
+    std::ifstream(file.path(), std::ios::binary) >> text;
+    EXPECT_EQ(text, "seven");
+    write(file, "b");
+    EXPECT_EQ(file.bytes(), 1u);
+}
+
+TEST(MemoryFile, IsNoOtherMemoryFile) {
+    const MemoryFile first;
+    const MemoryFile second;
+    write(first, "12345");
+    EXPECT_EQ(first.bytes(), 5u);
+    EXPECT_EQ(second.bytes(), 0u);
+}
+
+TEST(ThreadTime, SleepCostsNothing) {
+    const double start = thread_cpu_seconds();
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    EXPECT_LT(thread_cpu_seconds() - start, 0.02);
+}
 
 using Front = std::vector<bool>;
 
@@ -35,4 +72,5 @@ TEST(ParetoFront, CostsWithinTheNoiseAreTheSameWhereErrorsDiffer) {
 }
 
 }  // namespace
+
 }  // namespace skybake
