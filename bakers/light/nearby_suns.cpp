@@ -12,22 +12,48 @@
 HWY_BEFORE_NAMESPACE();
 namespace skybake::HWY_NAMESPACE {
 
+// The moments of one column at both levels about a point, by moment_index, and their factors.
+struct ColumnOfMoments {
+    const double* under;
+    const double* over;
+    const double* factors;
+    double fraction;  // of the way from one level to the other
+};
+
+// Returns what moments send that are so many numbers behind the column's first.
+template <class Vector>
+HWY_INLINE Vector sent_from(const ColumnOfMoments& column, std::size_t i) {
+    const Vector near(1 - column.fraction);
+    const Vector far(column.fraction);
+    return Vector::load(column.factors + i) *
+           (near * Vector::load(column.under + i) + far * Vector::load(column.over + i));
+}
+
 // Computes what the light of one column sends, by azimuthal order: sent[m * kChannelSlots + channel].
-// `factors` multiply the moments up to `degree`, by moment_index.
+// `factors` multiply the moments up to `degree`, by moment_index. Neighbouring orders of a degree lie beside
+// each other, and wide vectors hold two.
 void SendColumn(const SolvedLight& light, const LevelPlace& at, int sun, int degree,
                 const Spectrum* factors, double* sent) {
-    const double* under = light.light.at(at.level, sun);
-    const double* over = light.light.at(at.level + 1, sun);
-    const Channels near(1 - at.fraction);
-    const Channels far(at.fraction);
-    for (int m = 0; m <= degree; ++m) {
-        Channels sum(0.0);
-        for (int l = m; l <= degree; ++l) {
-            const auto lm = static_cast<std::size_t>(moment_index(l, m));
-            const std::size_t slot = lm * kChannelSlots;
-            sum = sum + Channels(factors[lm]) * (near * Channels::load(under + slot) +
-                                                 far * Channels::load(over + slot));
+    const ColumnOfMoments column = {light.light.at(at.level, sun),
+                                    light.light.at(at.level + 1, sun), data(*factors), at.fraction};
+    const auto slot = [](int l, int m) {
+        return static_cast<std::size_t>(moment_index(l, m)) * kChannelSlots;
+    };
+    int m = 0;
+    if constexpr (Lanes::kCount == 2 * kChannelSlots) {
+        const auto first_order = hn::FirstN(Lanes::Tag(), kChannelSlots);
+        for (; m < degree; m += 2) {
+            const Lanes own = sent_from<Lanes>(column, slot(m, m));
+            Lanes sum = Lanes(0.0) + Lanes(hn::IfThenElseZero(first_order, own.v));
+            for (int l = m + 1; l <= degree; ++l) {
+                sum = sum + sent_from<Lanes>(column, slot(l, m));
+            }
+            sum.store(sent + static_cast<std::size_t>(m) * kChannelSlots);
         }
+    }
+    for (; m <= degree; ++m) {
+        Channels sum(0.0);
+        for (int l = m; l <= degree; ++l) sum = sum + sent_from<Channels>(column, slot(l, m));
         sum.store(sent + static_cast<std::size_t>(m) * kChannelSlots);
     }
 }

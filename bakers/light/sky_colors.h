@@ -82,7 +82,7 @@ Need need_of(const ColorRequest& request);
 std::string key_text(const ColorRequest& request);
 
 // Raise it with every change of what is fitted: of the skies, of how they are solved for, of the fit.
-constexpr int kColorFitVersion = 1;
+constexpr int kColorFitVersion = 2;
 
 // Returns the weights, shared by all assets that ask for them, and kept for later runs. Null after an
 // interruption.

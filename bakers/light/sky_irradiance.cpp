@@ -96,15 +96,6 @@ std::vector<WeightedAngle> even_azimuths(int count) {
     return azimuths;
 }
 
-// The rays of one zenith angle.
-struct TracedZenith {
-    double mu;
-    double sine;
-    double weight;  // of an integral over the zenith angle
-    SkyRow row;
-};
-using TracedZeniths = std::vector<TracedZenith>;
-
 // The irradiance of surfaces at one altitude by light of `light.orders()`, without SkyLight::once.
 class Surface {
   public:
@@ -126,11 +117,16 @@ class Surface {
                       std::vector<Spectrum>& sums) const;
 
   private:
-    TracedZeniths trace(double from, double to, int nodes, bool before) const;
+    // Zenith angles and azimuths over which light is summed.
+    struct Directions {
+        std::vector<WeightedAngle> zeniths, azimuths;
+        bool before = false;  // for light that was scattered before
+    };
+    SkyRow row_at(double mu, double sine, bool before) const;
     template <class Light>
     void add_integral(const std::vector<std::size_t>& at, const std::vector<double>& sun_cosines,
-                      const TracedZeniths& zeniths, const std::vector<WeightedAngle>& azimuths,
-                      const Light& light, std::vector<Spectrum>& sums) const;
+                      const Directions& directions, const Light& light,
+                      std::vector<Spectrum>& sums) const;
 
     const SkyLight& light_;
     double altitude_km_;
@@ -140,53 +136,46 @@ class Surface {
     SkyIntegrator before_integrator_;
 };
 
-// Traces light that was scattered `before`, or else light that is scattered once.
-TracedZeniths Surface::trace(double from, double to, int nodes, bool before) const {
-    std::vector<WeightedAngle> angles;
-    add_gathered(from, to, nodes, angles);
-    TracedZeniths zeniths;
-    for (const WeightedAngle& angle : angles) {
-        const double mu = std::clamp(cosine_of(angle.angle), 0.0, 1.0);
-        const double sine = std::clamp(sine_of(angle.angle), 0.0, 1.0);
-        // Any sun and any azimuth: rows use what all rays share.
-        const SunZenith above = {1, 0};
-        const SkyRay any =
-            sky_ray(light_.shell(), altitude_km_, above, sky_direction(above, mu, sine, 1));
-        zeniths.push_back(
-            {mu, sine, angle.weight,
-             before
-                 ? SkyRow(before_integrator_, light_.medium(), light_.higher_orders(), any, nullptr)
-                 : SkyRow(once_integrator_, once_, nullptr, any, &light_.sunlight())});
-    }
-    return zeniths;
+// Returns the row of a zenith angle, for light that was scattered `before` or is scattered once.
+SkyRow Surface::row_at(double mu, double sine, bool before) const {
+    // Any sun and any azimuth: rows use what all rays share.
+    const SunZenith above = {1, 0};
+    const SkyRay any =
+        sky_ray(light_.shell(), altitude_km_, above, sky_direction(above, mu, sine, 1));
+    return before
+               ? SkyRow(before_integrator_, light_.medium(), light_.higher_orders(), any, nullptr)
+               : SkyRow(once_integrator_, once_, nullptr, any, &light_.sunlight());
 }
 
 // Adds the integral over zenith angles and azimuths, on both sides of the sun, for the suns `at`.
 // `light` returns the light of rays of a row.
 template <class Light>
 void Surface::add_integral(const std::vector<std::size_t>& at,
-                           const std::vector<double>& sun_cosines, const TracedZeniths& zeniths,
-                           const std::vector<WeightedAngle>& azimuths, const Light& light,
-                           std::vector<Spectrum>& sums) const {
+                           const std::vector<double>& sun_cosines, const Directions& directions,
+                           const Light& light, std::vector<Spectrum>& sums) const {
     if (at.empty()) return;
+    const std::vector<WeightedAngle>& azimuths = directions.azimuths;
     std::vector<double> azimuth_cosines;
     for (const WeightedAngle& azimuth : azimuths) {
         azimuth_cosines.push_back(std::clamp(cosine_of(azimuth.angle), -1.0, 1.0));
     }
     std::vector<SkyRay> rays;
-    for (const TracedZenith& zenith : zeniths) {
+    for (const WeightedAngle& zenith : directions.zeniths) {
+        const double mu = std::clamp(cosine_of(zenith.angle), 0.0, 1.0);
+        const double sine = std::clamp(sine_of(zenith.angle), 0.0, 1.0);
+        const SkyRow row = row_at(mu, sine, directions.before);
         rays.clear();
         for (const std::size_t i : at) {
             const SunZenith sun = sun_of_cosine(sun_cosines[i]);
             for (const double cosine : azimuth_cosines) {
                 rays.push_back(sky_ray(light_.shell(), altitude_km_, sun,
-                                       sky_direction(sun, zenith.mu, zenith.sine, cosine)));
+                                       sky_direction(sun, mu, sine, cosine)));
             }
         }
-        const std::vector<Spectrum> values = light(zenith.row, rays);
+        const std::vector<Spectrum> values = light(row, rays);
         for (std::size_t k = 0; k < values.size(); ++k) {
             const double weight =
-                2 * zenith.weight * azimuths[k % azimuths.size()].weight * zenith.sine * zenith.mu;
+                2 * zenith.weight * azimuths[k % azimuths.size()].weight * sine * mu;
             sums[at[k / azimuths.size()]] += weight * values[k];
         }
     }
@@ -194,11 +183,13 @@ void Surface::add_integral(const std::vector<std::size_t>& at,
 
 void Surface::add_single(const std::vector<double>& sun_cosines, int nodes,
                          std::vector<Spectrum>& sums) const {
-    std::vector<WeightedAngle> azimuths;
-    add_gathered(0, std::numbers::pi, nodes, azimuths);
-    const auto add = [&](const std::vector<std::size_t>& suns, const TracedZeniths& zeniths) {
+    Directions directions;
+    add_gathered(0, std::numbers::pi, nodes, directions.azimuths);
+    const auto add = [&](const std::vector<std::size_t>& suns, double from, double to) {
+        directions.zeniths.clear();
+        add_gathered(from, to, nodes, directions.zeniths);
         add_integral(
-            suns, sun_cosines, zeniths, azimuths,
+            suns, sun_cosines, directions,
             [](const SkyRow& row, const std::vector<SkyRay>& rays) {
                 std::vector<Spectrum> values;
                 for (const SkyRadiance& light : row.radiance(rays)) values.push_back(light.single);
@@ -213,10 +204,10 @@ void Surface::add_single(const std::vector<double>& sun_cosines, int nodes,
             continue;
         }
         const double at_sun = arc_cosine(sun_cosines[i]);
-        add({i}, trace(at_sun, 0, nodes, false));
-        add({i}, trace(at_sun, std::numbers::pi / 2, nodes, false));
+        add({i}, at_sun, 0);
+        add({i}, at_sun, std::numbers::pi / 2);
     }
-    if (!down.empty()) add(down, trace(std::numbers::pi / 2, 0, nodes, false));
+    add(down, std::numbers::pi / 2, 0);
     for (std::size_t i = 0; i < sun_cosines.size(); ++i) {
         const SunZenith sun = sun_of_cosine(sun_cosines[i]);
         if (light_.has_peaks()) add_aureole(light_, altitude_km_, sun, sums[i]);
@@ -232,9 +223,10 @@ void Surface::add_multiple(const std::vector<double>& sun_cosines, const Irradia
         degree > kSmoothDegree ? std::max(nodes.azimuths, degree / 2 + 1) : nodes.azimuths;
     std::vector<std::size_t> all(sun_cosines.size());
     std::iota(all.begin(), all.end(), 0);
+    Directions directions = {{}, even_azimuths(count), true};
+    add_gathered(std::numbers::pi / 2, 0, nodes.zenith_angles, directions.zeniths);
     add_integral(
-        all, sun_cosines, trace(std::numbers::pi / 2, 0, nodes.zenith_angles, true),
-        even_azimuths(count),
+        all, sun_cosines, directions,
         [](const SkyRow& row, const std::vector<SkyRay>& rays) { return row.multiple(rays); },
         sums);
 }

@@ -47,18 +47,19 @@ class SumsOfLayers {
   public:
     SumsOfLayers(const SkyMedium& medium, const std::vector<SkyRay>& rays,
                  std::vector<SkyRadiance>& sums)
-        : phases_(rays.size()), sums_(sums) {
-        for (std::size_t i = 0; i < rays.size(); ++i) {
+        : layers_(medium.layers.size()), sums_(sums) {
+        phases_.reserve(rays.size() * layers_);
+        for (const SkyRay& ray : rays) {
             for (const SkyLayer& layer : medium.layers) {
-                phases_[i].push_back(
-                    first_phase_values(layer, rays[i].one_minus_cosine, rays[i].one_plus_cosine));
+                phases_.push_back(
+                    first_phase_values(layer, ray.one_minus_cosine, ray.one_plus_cosine));
             }
         }
     }
 
     // Collects what a layer scatters.
     void collect(std::size_t ray, std::size_t layer, const Spectrum& scattering) {
-        sent_ += scattering * phases_[ray][layer];
+        sent_ += scattering * phases_[ray * layers_ + layer];
     }
 
     // Adds what was collected, times a factor and the sunlight there.
@@ -68,7 +69,8 @@ class SumsOfLayers {
     }
 
   private:
-    std::vector<std::vector<Spectrum>> phases_;
+    std::size_t layers_;
+    std::vector<Spectrum> phases_;  // [ray * layers + layer]
     std::vector<SkyRadiance>& sums_;
     Spectrum sent_{};
 };
@@ -241,7 +243,7 @@ void SkyRow::add_lit_piece(const Piece& piece, const std::vector<std::size_t>& l
 
 std::vector<Spectrum> SkyRow::multiple(const std::vector<SkyRay>& rays) const {
     std::vector<Spectrum> sums(rays.size());
-    if (rays.empty()) return sums;
+    if (rays.empty() || higher_orders_at_.empty()) return sums;
     const double r = shell_.ground_radius_km + any_.altitude_km;
     std::vector<double> sun_cosines;
     std::vector<double> nu;

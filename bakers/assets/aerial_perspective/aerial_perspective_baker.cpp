@@ -186,7 +186,7 @@ void draft(AerialPerspectiveBake& asset, int) {
 }  // namespace
 
 Baker<config::AerialPerspectiveBake> baker(BakerTag<config::AerialPerspectiveBake>) {
-    return {.version = 15,
+    return {.version = 16,
             .bake = bake,
             .estimate = estimate,
             .needs = needs,

@@ -239,7 +239,7 @@ void draft(BrunetonBake& asset, int) {
 }  // namespace
 
 Baker<BrunetonBake> baker(BakerTag<BrunetonBake>) {
-    return {.version = 15,
+    return {.version = 16,
             .bake = bake,
             .estimate = estimate,
             .needs = needs,

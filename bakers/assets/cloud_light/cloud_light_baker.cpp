@@ -171,7 +171,7 @@ void draft(CloudLightBake& asset, int) {
 }  // namespace
 
 Baker<CloudLightBake> baker(BakerTag<CloudLightBake>) {
-    return {.version = 11,
+    return {.version = 12,
             .bake = bake,
             .estimate = estimate,
             .needs = needs,

@@ -191,7 +191,7 @@ std::vector<InputFile> inputs(const Parameters& parameters, const EnvironmentBak
 }  // namespace
 
 Baker<EnvironmentBake> baker(BakerTag<EnvironmentBake>) {
-    return {.version = 19,
+    return {.version = 20,
             .bake = bake,
             .estimate = estimate,
             .needs = needs,

@@ -221,7 +221,7 @@ void draft(IrradianceBake& asset, int) {
 }  // namespace
 
 Baker<config::IrradianceBake> baker(BakerTag<config::IrradianceBake>) {
-    return {.version = 17,
+    return {.version = 18,
             .bake = bake,
             .estimate = estimate,
             .needs = needs,

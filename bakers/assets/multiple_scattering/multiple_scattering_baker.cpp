@@ -210,7 +210,7 @@ void draft(MultipleScatteringBake& asset, int) {
 }  // namespace
 
 Baker<config::MultipleScatteringBake> baker(BakerTag<config::MultipleScatteringBake>) {
-    return {.version = 16,
+    return {.version = 17,
             .bake = bake,
             .estimate = estimate,
             .needs = needs,

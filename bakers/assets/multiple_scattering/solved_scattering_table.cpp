@@ -33,9 +33,7 @@ constexpr int kDegreeWithPeaks = 4;
 Spectrum moment_of(const SolvedLight& light, int l, int m, double altitude_km,
                    double sun_cos_zenith) {
     if (l == 0) return light.mean_radiance_at(altitude_km, sun_cos_zenith);
-    std::vector<Spectrum> moments(static_cast<std::size_t>(moment_count(light.degree())));
-    light.moments_at(altitude_km, sun_cos_zenith, moments.data());
-    return harmonic_norm(l, m) * moments[static_cast<std::size_t>(moment_index(l, m))];
+    return harmonic_norm(l, m) * light.moment_at(altitude_km, sun_cos_zenith, l, m);
 }
 
 // Returns the largest moment of any channel on the solution's grid, or 0 where there is no solution.

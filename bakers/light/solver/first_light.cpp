@@ -96,7 +96,8 @@ inline std::vector<double> sines_of(const SunAxis& suns) {
 class FirstLightPass {
   public:
     FirstLightPass(const SkyMedium& medium, const std::vector<SplitPhase>& phases,
-                   const TransmittanceField& sunlight, const SunAxis& suns, int degree)
+                   const TransmittanceField& sunlight, const SunAxis& suns, int degree,
+                   int azimuths)
         : medium_(medium),
           phases_(phases),
           field_(sunlight),
@@ -104,7 +105,7 @@ class FirstLightPass {
           degree_(degree),
           suns_(static_cast<std::size_t>(suns.count())),
           layers_(medium.layers.size()),
-          azimuths_(first_azimuths(phases, degree)),
+          azimuths_(azimuths > 0 ? azimuths : first_azimuths(phases, degree)),
           azimuth_cosines_(cosines_of_azimuths(azimuths_)),
           sines_(sines_of(suns)),
           cells_(medium, sunlight, suns.cosines, sines_, azimuth_cosines_),
@@ -278,7 +279,8 @@ void FirstLightPass::write(double* out, double* sky_irradiance) const {
 void GatherFirstLight(const SkyMedium& medium, const std::vector<SplitPhase>& phases,
                       const FirstFans& fans, const TransmittanceField& sunlight,
                       const SunAxis& suns, int degree, double* out, double* sky_irradiance) {
-    FirstLightPass(medium, phases, sunlight, suns, degree).gather(fans, out, sky_irradiance);
+    FirstLightPass(medium, phases, sunlight, suns, degree, fans.azimuths)
+        .gather(fans, out, sky_irradiance);
 }
 
 }  // namespace skybake::HWY_NAMESPACE

@@ -62,6 +62,7 @@ void add_forward_peaks(const SkyMedium& medium, const std::vector<SplitPhase>& p
 struct FirstFans {
     RayFan day;
     RayFan twilight;
+    int azimuths = 0;  // over half a turn; 0: as phase functions need them
 };
 
 FirstFans make_first_fans(const SkyMedium& medium, const std::vector<double>& levels_km, int level,

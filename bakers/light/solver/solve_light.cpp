@@ -172,9 +172,10 @@ SolvedLight solve_orders_in(const SkyMedium& medium, const SolverSettings& setti
     const LayerMoments moments(medium, settings.degree, reading.altitudes_km());
     std::vector<LevelTransport<Number>> transports(static_cast<std::size_t>(levels));
     parallel_for(levels, threads, [&](int level) {
-        const FirstFans first_fans =
+        FirstFans first_fans =
             make_first_fans(medium, reading.altitudes_km(), reading.index_of(level),
                             settings.first_zenith_nodes, settings.ray_tolerance);
+        first_fans.azimuths = settings.first_azimuths;
         gather_first_light(medium, phases, first_fans, sunlight, solved.suns, settings.degree,
                            first.at(level, 0), level == 0 ? first.sky_irradiance.data() : nullptr);
         const bool is_same = settings.zenith_nodes == settings.first_zenith_nodes;

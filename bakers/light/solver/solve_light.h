@@ -52,6 +52,7 @@ struct SolverSettings {
     double level_scale = 1;      // factor on the number of altitudes
     int zenith_nodes = 8;        // directions above the horizon, and as many below it
     int first_zenith_nodes = 8;  // the same for light that is scattered once
+    int first_azimuths = 0;      // of its directions, over half a turn; 0: as peaks need them
     double ray_tolerance = 2e-2;  // see refine_view_ray
     TransmittanceField::Size sunlight = {256, 128};
     double tolerance = 1e-3;  // for the truncation error, as a share of the light in the mean

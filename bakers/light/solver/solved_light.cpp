@@ -1,10 +1,43 @@
 #include "bakers/light/solver/solved_light.h"
 
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "bakers/light/solver/solved_light.cpp"
+#include <hwy/foreach_target.h>
+
 #include <algorithm>
 #include <cassert>
 #include <numbers>
 
+#include "bakers/math/channels-inl.h"
+#include "bakers/math/lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace skybake::HWY_NAMESPACE {
+
+template <class Vector>
+HWY_INLINE void sum_at(const WeightedRows& rows, std::size_t i, double* sums) {
+    Vector sum(0.0);
+    for (std::size_t k = 0; k < rows.count; ++k) {
+        sum = sum + Vector(rows.weights[k]) * Vector::load(rows.rows[k] + i);
+    }
+    sum.store(sums + i);
+}
+
+// Computes the weighted sums of `size` numbers of rows: whole groups of channels.
+void SumRows(const WeightedRows& rows, std::size_t size, double* sums) {
+    std::size_t i = 0;
+    for (; i + Lanes::kCount <= size; i += Lanes::kCount) sum_at<Lanes>(rows, i, sums);
+    for (; i < size; i += kChannelSlots) sum_at<Channels>(rows, i, sums);
+}
+
+}  // namespace skybake::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
 namespace skybake {
+
+HWY_EXPORT(SumRows);
+
 namespace {
 
 // Factors of the associated Legendre functions' recursions: by moment_index(l, m), of the function
@@ -155,23 +188,35 @@ SunStencil SolvedLight::stencil(const LevelPlace& at, double sun_cos_zenith) con
     return stencil_of(*this, sun_cos_zenith, [&](int column) { return mean_of(at, column); });
 }
 
-void SolvedLight::moments_at(double altitude_km, double sun_cos_zenith, Spectrum* values) const {
+WeightedRows SolvedLight::rows_at(double altitude_km, double sun_cos_zenith) const {
     const LevelPlace place = level_at(altitude_km);
     const SunStencil around = stencil(place, sun_cos_zenith);
-    const SinePowers powers = powers_of(std::sqrt((1 - sun_cos_zenith) * (1 + sun_cos_zenith)));
-    const auto count = static_cast<std::size_t>(moment_count(light.degree));
-    std::fill_n(values, count, Spectrum(0.0));
+    WeightedRows found;
     for (int side = 0; side < 2; ++side) {
         const double share = side == 0 ? 1 - place.fraction : place.fraction;
         if (share == 0) continue;
         for (int j = 0; j < 4; ++j) {
-            const double weight = share * around.weights[j];
-            const double* from = light.at(place.level + side, around.column + j);
-            for (std::size_t lm = 0; lm < count; ++lm) {
-                values[lm] += weight * packet_at(from + lm * kChannelSlots);
-            }
+            found.weights[found.count] = share * around.weights[j];
+            found.rows[found.count++] = light.at(place.level + side, around.column + j);
         }
     }
+    return found;
+}
+
+Spectrum SolvedLight::moment_at(double altitude_km, double sun_cos_zenith, int l, int m) const {
+    WeightedRows rows = rows_at(altitude_km, sun_cos_zenith);
+    const std::size_t first = static_cast<std::size_t>(moment_index(l, m)) * kChannelSlots;
+    for (std::size_t k = 0; k < rows.count; ++k) rows.rows[k] += first;
+    Spectrum value{};
+    HWY_DYNAMIC_DISPATCH(SumRows)(rows, kChannelSlots, data(value));
+    const double sine = std::sqrt((1 - sun_cos_zenith) * (1 + sun_cos_zenith));
+    return value * powers_of(sine)[static_cast<std::size_t>(sine_power(m))];
+}
+
+void SolvedLight::moments_at(double altitude_km, double sun_cos_zenith, Spectrum* values) const {
+    const SinePowers powers = powers_of(std::sqrt((1 - sun_cos_zenith) * (1 + sun_cos_zenith)));
+    HWY_DYNAMIC_DISPATCH(SumRows)
+    (rows_at(altitude_km, sun_cos_zenith), light.sun_size(), data(*values));
     for (int m = 0; m <= light.degree; ++m) {
         for (int l = m; l <= light.degree; ++l) {
             values[moment_index(l, m)] *= powers[static_cast<std::size_t>(sine_power(m))];
@@ -205,3 +250,4 @@ Spectrum SolvedLight::sky_irradiance_at(double sun_cos_zenith) const {
 }
 
 }  // namespace skybake
+#endif  // HWY_ONCE

@@ -110,6 +110,13 @@ struct LevelPlace {
     double fraction;  // of the way to the upper one
 };
 
+// Rows of moments, and their weights in a sum.
+struct WeightedRows {
+    std::array<const double*, 8> rows;
+    std::array<double, 8> weights;
+    std::size_t count = 0;
+};
+
 struct SolvedLight {
     int channels = 0;
     std::vector<double> altitudes_km;  // ascending, from the ground to the top
@@ -129,8 +136,11 @@ struct SolvedLight {
     double mean_of(const LevelPlace& at, int column) const;
     // Returns the weights of the columns around a sun for light at that place.
     SunStencil stencil(const LevelPlace& at, double sun_cos_zenith) const;
-    // Computes the moments between the grid's points: values[lm].
+    // Computes the moments between the grid's points: values[lm], or one of them.
     void moments_at(double altitude_km, double sun_cos_zenith, Spectrum* values) const;
+    Spectrum moment_at(double altitude_km, double sun_cos_zenith, int l, int m) const;
+    // Returns the rows of moments about a place, of which those there are sums.
+    WeightedRows rows_at(double altitude_km, double sun_cos_zenith) const;
     // Returns L_00 / sqrt(4 pi), the quantity that Hillaire's texture holds.
     Spectrum mean_radiance_at(double altitude_km, double sun_cos_zenith) const;
     // Returns the irradiance of level ground by the sky, without the sun.
