@@ -40,7 +40,8 @@ constexpr std::array ranges = {
     // Layers of ice clouds have at least 0.5 (Heymsfield, Matrosov and Baum 2003, J. Appl. Meteor. 42).
     NaturalRange{"cirrus", {0.5, 3.6}, {cloudy, 3.6}, {0.2, 0.8}},
     NaturalRange{"cumulonimbus", {379, 2000}, {23, 379}, {0.1, 0.6}},
-    NaturalRange{"cumulus_congestus", {60, 379}, {15, 150}, {0.1, 0.5}},
+    // The largest is above what ISCCP knows.
+    NaturalRange{"cumulus_congestus", {60, 1000}, {15, 150}, {0.1, 0.5}},
     NaturalRange{"cumulus_humilis", {15, 60}, {3.6, 23}, {0.1, 0.5}},
     NaturalRange{"cumulus_mediocris", {30, 150}, {3.6, 60}, {0.1, 0.5}},
     NaturalRange{"fog_bank", {2, 10}, {1, 6}, {0.9, 1}},
