@@ -138,7 +138,7 @@ GlslFunction march_function(std::string_view cells, const std::string& call, std
 }
 
 Baker<CloudVolumeBake> baker(BakerTag<CloudVolumeBake>) {
-    return {.version = 9,
+    return {.version = 8,
             .bake = bake,
             .estimate = estimate_cloud_volume,
             .needs = needs,
