@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "bakers/convection/flow.h"
 #include "bakers/math/parallel.h"
@@ -20,34 +21,104 @@ double cells_of(const Specification& wanted) {
 // Names all members: it is not compiled until one that is added is named, too.
 std::string text_of(const Specification& wanted) {
     const auto& [grid, mixed, sponge, base, temperature, instability, inversion, humidity, wind,
-                 top, patches, width, warmth, seed, growth] = wanted;
+                 top, patches, width, warmth, seed, growth, loop] = wanted;
     const auto& [cells, edges] = grid;
-    return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}", fmt::join(cells, " "),
+    return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}", fmt::join(cells, " "),
                        fmt::join(edges, " "), mixed, sponge, base, temperature, instability,
                        inversion, humidity, fmt::join(wind, " "), fmt::join(top, " "), patches,
-                       fmt::join(width, " "), warmth, seed, growth);
+                       fmt::join(width, " "), warmth, seed, growth, loop);
 }
 
-// Returns none after an interruption.
-std::vector<float> grown_water(const Specification& wanted, int levels,
-                               const BakeOptions& options) {
-    Flow flow(wanted, options.threads);
-    while (flow.time_s() < wanted.growth_s) {
-        if (options.cancelled()) return {};
-        flow.step(wanted.growth_s);
-        if (options.progress == nullptr) continue;
-        options.progress->advance("growing the cloud", flow.time_s() / wanted.growth_s);
+// The moments of a loop are so close that air at this speed passes no more than a cell from one to the next.
+constexpr double kSpeed_m_per_s = 7;
+
+int moments_of(const Specification& wanted) {
+    const auto& [x, y, z] = wanted.grid.edge_m;
+    const double apart_s = double{std::min({x, y, z})} / kSpeed_m_per_s;
+    return std::max(1, static_cast<int>(std::ceil(wanted.loop_s / apart_s)));
+}
+
+std::size_t cloudy_cells(const Specification& wanted) {
+    const auto& [x, y, z] = wanted.grid.cells;
+    return static_cast<std::size_t>(x) * static_cast<std::size_t>(y) *
+           static_cast<std::size_t>(z - wanted.mixed_levels - wanted.sponge_levels);
+}
+
+// The water of a flow as it goes on.
+class Growth {
+  public:
+    Growth(const Specification& wanted, const BakeOptions& options)
+        : wanted_(wanted), options_(options), flow_(wanted, options.threads) {
+        if (wanted.loop_s > 0) now_ = water();
     }
-    const int rows = wanted.grid.cells[1];
-    const auto row = static_cast<std::size_t>(wanted.grid.cells[0]);
-    const std::size_t plane = row * static_cast<std::size_t>(rows);
-    std::vector<float> water(plane * static_cast<std::size_t>(levels));
-    parallel_for(levels, options.threads, [&](int level) {
-        float* out = water.data() + static_cast<std::size_t>(level) * plane;
-        for (int y = 0; y < rows; ++y, out += row) {
-            flow.condensed_row(y, level + wanted.mixed_levels, out);
+
+    // Goes on until `until_s` is reached, by steps that may pass it, but not `end_s`. Returns false after an
+    // interruption.
+    bool advance(double until_s, double end_s) {
+        while (flow_.time_s() < until_s) {
+            if (options_.cancelled()) return false;
+            before_s_ = flow_.time_s();
+            flow_.step(end_s);
+            std::swap(before_, now_);
+            if (wanted_.loop_s > 0 || flow_.time_s() >= end_s) now_ = water();
+            if (options_.progress == nullptr) continue;
+            options_.progress->advance("growing the cloud",
+                                       flow_.time_s() / (wanted_.growth_s + wanted_.loop_s));
         }
-    });
+        return true;
+    }
+
+    // Adds the share `weight` of the water at a time within the last step.
+    void add_to(float* out, double time_s, float weight) const {
+        const double share = (time_s - before_s_) / (flow_.time_s() - before_s_);
+        const auto later = static_cast<float>(share);
+        for (std::size_t i = 0; i < now_.size(); ++i) {
+            const float then = later == 1 ? now_[i] : before_[i] + later * (now_[i] - before_[i]);
+            out[i] += weight * then;
+        }
+    }
+
+  private:
+    std::vector<float> water() const {
+        const int rows = wanted_.grid.cells[1];
+        const auto row = static_cast<std::size_t>(wanted_.grid.cells[0]);
+        const std::size_t plane = row * static_cast<std::size_t>(rows);
+        std::vector<float> made(cloudy_cells(wanted_));
+        parallel_for(static_cast<int>(made.size() / plane), options_.threads, [&](int level) {
+            float* out = made.data() + static_cast<std::size_t>(level) * plane;
+            for (int y = 0; y < rows; ++y, out += row) {
+                flow_.condensed_row(y, level + wanted_.mixed_levels, out);
+            }
+        });
+        return made;
+    }
+
+    Specification wanted_;
+    const BakeOptions& options_;
+    Flow flow_;
+    std::vector<float> before_, now_;
+    double before_s_ = 0;
+};
+
+// Returns the moments of the loop, one after the other; none after an interruption.
+std::vector<float> grown_water(const Specification& wanted, const BakeOptions& options) {
+    const int moments = moments_of(wanted);
+    const std::size_t cells = cloudy_cells(wanted);
+    std::vector<float> water(static_cast<std::size_t>(moments) * cells);
+    Growth growth(wanted, options);
+    const double end_s = wanted.growth_s + wanted.loop_s;
+    for (const bool is_loop : {false, true}) {
+        for (int i = is_loop ? 0 : 1; i < moments; ++i) {
+            const double share = double{1} * i / moments;
+            const double time_s = wanted.growth_s + wanted.loop_s * (is_loop ? share : share - 1);
+            // What grew is the same to the bit as that of a cloud that stands still.
+            const double limit_s = time_s <= wanted.growth_s ? wanted.growth_s : end_s;
+            if (!growth.advance(time_s, limit_s)) return {};
+            const double before = share * share * (3 - 2 * share);
+            growth.add_to(water.data() + static_cast<std::size_t>(i) * cells, time_s,
+                          static_cast<float>(is_loop ? 1 - before : before));
+        }
+    }
     return water;
 }
 
@@ -78,6 +149,7 @@ Specification specification_of(const Cloud& cloud) {
     wanted.patch_warmth_k = convection.warmth;
     wanted.seed = convection.seed;
     wanted.growth_s = 60 * convection.minutes;
+    wanted.loop_s = config::cloud_moves(cloud) ? 60 * convection.loop_minutes : 0;
     return wanted;
 }
 
@@ -87,24 +159,44 @@ std::shared_ptr<const GrownCloud> grow(const Specification& wanted, const BakeOp
     cloud->cells = wanted.grid.cells;
     cloud->cells[2] -= wanted.mixed_levels + wanted.sponge_levels;
     cloud->full_water = make_sounding(wanted).adiabatic_water;
-    const auto& [x, y, z] = cloud->cells;
-    cloud->water = kept_or_made<float>(
-        kept, {"convection", kGrowthVersion, text_of(wanted)},
-        static_cast<std::size_t>(x) * static_cast<std::size_t>(y) * static_cast<std::size_t>(z),
-        [&] { return grown_water(wanted, cloud->cells[2], options); });
+    cloud->moments = moments_of(wanted);
+    cloud->water =
+        kept_or_made<float>(kept, {"convection", kGrowthVersion, text_of(wanted)},
+                            cloudy_cells(wanted) * static_cast<std::size_t>(cloud->moments),
+                            [&] { return grown_water(wanted, options); });
     return cloud->water.empty() ? nullptr : cloud;
+}
+
+std::shared_ptr<const GrownCloud> at_share(const std::shared_ptr<const GrownCloud>& cloud,
+                                           double share) {
+    if (cloud->moments == 1) return cloud;
+    auto made = std::make_shared<GrownCloud>(GrownCloud{cloud->cells, 1, {}, cloud->full_water});
+    const auto cells = static_cast<std::ptrdiff_t>(cloud->water.size()) / cloud->moments;
+    const double at = (share - std::floor(share)) * cloud->moments;
+    const int moment = std::min(static_cast<int>(at), cloud->moments - 1);
+    const auto from = cloud->water.begin() + moment * cells;
+    const auto to = cloud->water.begin() + (moment + 1) % cloud->moments * cells;
+    const auto later = static_cast<float>(at - moment);
+    std::transform(from, from + cells, to, std::back_inserter(made->water),
+                   [later](float a, float b) { return a + later * (b - a); });
+    return made;
 }
 
 double seconds_to_grow(const Specification& wanted) {
     constexpr double kSecondsPerCellAndStep = 1.5e-7;
     constexpr double kFastest = 20;  // m/s, over the three axes together
     const double step_s = 1.2 * double{wanted.grid.edge_m[0]} / kFastest;
-    return kSecondsPerCellAndStep * cells_of(wanted) * std::max(1.0, wanted.growth_s / step_s);
+    return kSecondsPerCellAndStep * cells_of(wanted) *
+           std::max(1.0, (wanted.growth_s + wanted.loop_s) / step_s);
+}
+
+double bytes_of_grown(const Specification& wanted) {
+    return sizeof(float) * static_cast<double>(cloudy_cells(wanted)) * moments_of(wanted);
 }
 
 double bytes_to_grow(const Specification& wanted) {
     constexpr double kFields = 18;
-    return kFields * sizeof(float) * cells_of(wanted);
+    return kFields * sizeof(float) * cells_of(wanted) + bytes_of_grown(wanted);
 }
 
 }  // namespace skybake::convection

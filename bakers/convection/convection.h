@@ -12,10 +12,18 @@
 
 namespace skybake::convection {
 
+// The loop of a cloud that moves goes from the state S at the end of its growth, g, for l seconds. In its course the
+// state of a loop before takes over, so that the last frame leads to the first one:
+//
+//   (1 - w) S(g + f l) + w S(g + f l - l),   w = f^2 (3 - 2 f)
+//
+// at the share f of the loop. Warm patches begin anew whenever so much time as the growth took has passed.
 struct GrownCloud {
     std::array<int, 3> cells{};
+    int moments = 1;  // of the loop, evenly; of a cloud that stands still there is one
     // Condensed water at the centres of cells in g/kg, x fastest, then y, then z; below 0 it is what the air
-    // lacks to be saturated, so that edges lie where it passes 0. The lowest cells lie on the base.
+    // lacks to be saturated, so that edges lie where it passes 0. The lowest cells lie on the base. One moment
+    // follows the other.
     std::vector<float> water;
     float full_water = 0;  // Sounding::adiabatic_water
 };
@@ -27,11 +35,16 @@ Specification specification_of(const Cloud& cloud);
 std::shared_ptr<const GrownCloud> grow(const Specification& wanted, const BakeOptions& options,
                                        KeptBytes* kept = nullptr);
 
+// Returns the cloud at a share of its loop; between moments its water is linear in time.
+std::shared_ptr<const GrownCloud> at_share(const std::shared_ptr<const GrownCloud>& cloud,
+                                           double share);
+
 // Raise it with every change of what grows.
-constexpr int kGrowthVersion = 1;
+constexpr int kGrowthVersion = 2;
 
 // Rough figures: the seconds on one thread of a machine of 2022, and the bytes while it grows.
 double seconds_to_grow(const Specification& wanted);
 double bytes_to_grow(const Specification& wanted);
+double bytes_of_grown(const Specification& wanted);
 
 }  // namespace skybake::convection

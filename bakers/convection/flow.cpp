@@ -100,7 +100,9 @@ float PatchSource::share_at(const std::vector<Patch>& patches, int x, int y) con
 void PatchSource::warm(double time_s, double step_s, int z, State& state) const {
     std::vector<Patch> active;
     for (const Patch& patch : patches_) {
-        if (patch.begin_s <= time_s && time_s < patch.end_s) active.push_back(patch);
+        const double since_s = time_s - patch.begin_s;
+        const double into_s = since_s - wanted_.growth_s * std::floor(since_s / wanted_.growth_s);
+        if (since_s >= 0 && into_s < patch.end_s - patch.begin_s) active.push_back(patch);
     }
     if (active.empty()) return;
     const auto rate = static_cast<float>(step_s / kDrawn_s);

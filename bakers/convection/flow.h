@@ -7,7 +7,7 @@
 // parameterization"). Nothing rains, and nothing freezes. Steps are Runge and Kutta's of third order after
 // Wicker and Skamarock, each stage without divergence. A sponge below the lid calms what arrives there.
 //
-// Warm patches of ground, above which air rises.
+// Warm patches of ground, above which air rises. Once the cloud has grown for its time they come again.
 #pragma once
 
 #include <vector>

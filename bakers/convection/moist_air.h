@@ -9,6 +9,5 @@ constexpr double kGasConstant = 287.04;  // of dry air, J/(kg K)
 constexpr double kGasOverHeat = kGasConstant / kHeatCapacity;
 constexpr double kLatentHeat = 2.5e6;     // of vaporization, J/kg
 constexpr double kVapourRatio = 0.622;    // molar masses of water and of dry air
-constexpr double kMixedHumidity = 0.985;  // relative, of the mixed layer at the condensation level
 
 }  // namespace skybake::convection

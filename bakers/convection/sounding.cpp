@@ -46,11 +46,12 @@ double lapse_of(const Specification& wanted, const Climb& at) {
     return kDry - kInversionWarming * exner_of(at.pressure_pa);
 }
 
-// The air here has its own share of moisture at the height.
+// The share of saturation above the base. The mixed layer has one amount of water, which saturates it at the base:
+// wherever its air rises, cloud begins at the same height.
 double humidity_at(const Specification& wanted, double height_m) {
     constexpr double kBlend = 150;  // m over which the humidity of the mixed layer fades
     const double share = std::clamp(height_m / kBlend, 0.0, 1.0);
-    return kMixedHumidity + (wanted.humidity - kMixedHumidity) * share;
+    return 1 + (wanted.humidity - 1) * share;
 }
 
 Climb base_of(const Specification& wanted) {
@@ -96,9 +97,8 @@ Sounding make_sounding(const Specification& wanted) {
         level.exner = static_cast<float>(exner);
         level.heat = static_cast<float>(at.temperature_k / exner - kReference);
         const double humid = humidity_at(wanted, height);
-        const double water = height < 0
-                                 ? kMixedHumidity * saturated
-                                 : humid * saturation_water(at.temperature_k, at.pressure_pa);
+        const double water =
+            height < 0 ? saturated : humid * saturation_water(at.temperature_k, at.pressure_pa);
         level.water = static_cast<float>(water);
         const double share = std::clamp(height / wanted.inversion_m, 0.0, 1.0) - 0.5;
         for (std::size_t i = 0; i < 2; ++i) {

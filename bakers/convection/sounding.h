@@ -30,6 +30,7 @@ struct Specification {
     double patch_warmth_k = 0.6;
     std::uint64_t seed = 1;
     double growth_s = 1200;
+    double loop_s = 0;  // for which the flow goes on, and returns; 0: it ends with the growth
 
     bool operator==(const Specification&) const = default;
 };

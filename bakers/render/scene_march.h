@@ -38,7 +38,7 @@ struct SceneLayer {
 
 // Marches towards the sun of pictures for people.
 inline constexpr int kLightGrowth = 2;
-inline constexpr int kNearLight = 12;
+inline constexpr int kNearLight = 24;
 // The same where the rest is looked up in the cells of solved light.
 inline constexpr int kNearSolvedLight = 6;
 

@@ -131,9 +131,34 @@ struct CloudReader {
                            place_of("convection"), subtable(table, "convection", path, decoder),
                            Absent::filled_in, decoder);
         derive(section.at("inversion"), 0.7 * cloud.extent[2].meters);
+        derive(section.at("loop_minutes"), default_loop_minutes(section));
         append_values(section, decoder);
         bind_section(section, convection_fields(), cloud.convection);
         check_cells(section);
+        check_loop(section);
+    }
+
+    // A frame is long enough for a film of 24 frames a second to show 48 times what an eye sees, and short enough
+    // for one frame in thirty of a voxel's life at the most.
+    double default_loop_minutes(const DecodedSection& section) const {
+        constexpr double kFrame_min = 2.0 / 60;
+        const DecodedField& minutes = section.at("minutes");
+        return std::min(kFrame_min * cloud.period,
+                        minutes.value ? std::get<double>(*minutes.value) : 0);
+    }
+
+    void check_loop(const DecodedSection& section) const {
+        const double loop = cloud.convection.loop_minutes;
+        if (loop > cloud.convection.minutes) {
+            decoder.report("E0110", section, "loop_minutes",
+                           fmt::format("is {:g}, longer than the cloud grows", loop),
+                           fmt::format("at most `minutes`, {:g}", cloud.convection.minutes));
+        }
+        if (section.at("loop_minutes").source != nullptr && cloud.period == 0) {
+            decoder.report("E0111", section, "loop_minutes",
+                           fmt::format("belongs to {}, and there is none", join_path(path, "period")),
+                           "give the cloud a period, or leave loop_minutes out");
+        }
     }
 
     void check_type_map(const DecodedSection& profile) const {

@@ -90,7 +90,8 @@ struct Convection {
     std::array<Length, 2> patch_width;
     double warmth = 0;  // K
     std::uint64_t seed = 0;
-    double minutes = 0;  // for which the cloud grows
+    double minutes = 0;       // for which the cloud grows
+    double loop_minutes = 0;  // of the flow that a loop of `period` frames shows
     double relief = 0;   // of its detail noise, as a share of the width of its largest billows
 
     bool operator==(const Convection&) const = default;
@@ -125,15 +126,15 @@ struct Cloud {
     CloudChannels channels = CloudChannels::density;
     InverseLength extinction_scale;  // extinction of density 1
     std::vector<Tower> towers;       // in the order of the recipe
-    int period = 0;                  // frames of the loop in which towers live; 0: they stand still
+    int period = 0;  // frames of the loop in which towers live or the cloud flows; 0: it stands still
     int time = 0;                    // the frame; any integer, as frames repeat
     std::array<double, 2> drift{};   // tiles per loop that the wind carries towers along x and y
 
     bool operator==(const Cloud&) const = default;
 };
 
-// Whether the cloud's towers change with its time.
-bool towers_move(const Cloud& cloud);
+// Whether the cloud, apart from its noises, changes with its time.
+bool cloud_moves(const Cloud& cloud);
 
 // Returns the channels of the noise that the cloud needs computed. These are all channels if the
 // noise packs or `channels` is noise, else the first one.

@@ -205,8 +205,9 @@ const CloudField cloud_table[] = {
      "extinction where the density is 1, for the files' metadata", coefficient_range,
      Default{R"("40 /km")"}, Hint{"water clouds have 10 to 100 /km"}},
     {"period", Kind::integer, &Cloud::period,
-     "frames of the loop in which towers live and drift; without it they stand still", period_range,
-     Hint{"noises have a period of their own"}, Exclusive{"source", "noise"}},
+     "frames of the loop in which towers live and drift, or a cloud that grows flows; without it "
+     "they stand still",
+     period_range, Hint{"noises have a period of their own"}},
     {"time", Kind::integer, &Cloud::time,
      "the frame; frames before 0 and from `period` on are repeats", time_range, Default{"0"},
      Needs{"period"}},

@@ -29,6 +29,11 @@ void check_noise_keys(const DecodedSection& section, std::string_view source, co
         if (!entry) continue;
         report_beside(source, entry->key_place, join_path(section.path, name), decoder);
     }
+    const DecodedField& period = section.at(source == "volume" ? "period" : "drift");
+    if (period.source) {
+        report_beside(source, period.source->place, join_path(section.path, period.field->key),
+                      decoder);
+    }
     const DecodedField& channels = section.at("channels");
     if (!channels.source || choice_of<CloudChannels>(channels) != CloudChannels::noise) return;
     report_beside(source, channels.source->place, join_path(section.path, "channels"), decoder);

@@ -59,7 +59,7 @@ Motion motion_of(const Noise& noise) {
 }
 
 Motion motion_of(const Cloud& cloud) {
-    return {fmt::format("cloud `{}`", cloud.name), towers_move(cloud) ? cloud.period : 0};
+    return {fmt::format("cloud `{}`", cloud.name), cloud_moves(cloud) ? cloud.period : 0};
 }
 
 void check_frames(const DecodedSection& bake, std::span<const Motion> motions, Decoder& decoder) {
@@ -70,8 +70,8 @@ void check_frames(const DecodedSection& bake, std::span<const Motion> motions, D
     if (std::ranges::none_of(motions, moves)) {
         decoder.report(
             "E0174", bake, given.field->key, ": nothing moves, so that all frames are the same",
-            "give a noise of the asset a `period`, or its cloud a `period` and towers with `life`, "
-            "or leave this key out");
+            "give a noise of the asset a `period`, or its cloud a `period` and towers with `life` or "
+            "shape convection, or leave this key out");
         return;
     }
     if (!frames.value) return;

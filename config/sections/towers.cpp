@@ -83,8 +83,9 @@ std::vector<const Entry*> towers_in_order(const Table& towers) {
     return entries;
 }
 
-bool towers_move(const Cloud& cloud) {
+bool cloud_moves(const Cloud& cloud) {
     if (cloud.period == 0) return false;
+    if (cloud.shape == CloudShape::convection) return cloud.convection.loop_minutes > 0;
     const bool drifts = cloud.drift != std::array<double, 2>{};
     const auto lives = [&](const TowerLife& tower) { return drifts || tower.lives(); };
     return std::ranges::any_of(cloud.towers, lives);
@@ -182,6 +183,7 @@ constexpr Range width_range{1, 1e6};
 constexpr Range warmth_range{0, 20};
 constexpr Range relief_range{0, 1};
 constexpr Range minutes_range{.minimum = 0, .maximum = 600, .open_minimum = true};
+constexpr Range loop_range{0, 600};
 
 const ConvectionField convection_table[] = {
     {"cells", Kind::voxels, &Convection::cells,
@@ -216,6 +218,10 @@ const ConvectionField convection_table[] = {
     {"seed", Kind::seed, &Convection::seed, "another seed gives other patches", Default{"1"}},
     {"minutes", Kind::number, &Convection::minutes, "minutes for which the cloud grows",
      minutes_range, Default{"20"}},
+    {"loop_minutes", Kind::number, &Convection::loop_minutes,
+     "minutes of the flow that a loop of the cloud's `period` frames shows, at most those for which "
+     "it grows; two seconds per frame by default",
+     loop_range, Hint{"the last frames of a loop turn into the first ones"}},
     {"relief", Kind::number, &Convection::relief,
      "how far the cloud's detail noise moves its edge, outwards where the noise is 1 and inwards "
      "where it is 0, as a share of the width of the largest billows of the noise",

@@ -73,7 +73,8 @@ std::optional<cloud::CloudVolume> grown_volume(const Cloud& cloud, const Noise* 
     });
     if (!grown) return std::nullopt;
     details.emplace_back("full_water_g_per_kg", double{grown->full_water});
-    return cloud::volume_of_grown(grown, cloud, detail, size);
+    const double share = double{1} * cloud.time / std::max(cloud.period, 1);
+    return cloud::volume_of_grown(convection::at_share(grown, share), cloud, detail, size);
 }
 
 // Returns null after an interruption.

@@ -83,10 +83,9 @@ std::vector<Need> needs_of_voxels(const Parameters& parameters, const CloudVolum
     }
     if (cloud.shape == config::CloudShape::convection) {
         const convection::Specification wanted = convection::specification_of(cloud);
-        const auto& [x, y, z] = cloud.convection.cells;
         needs.push_back({NeedKey(wanted), "growth of " + cloud.name,
                          convection::seconds_to_grow(wanted),
-                         double{1} * x * y * z * sizeof(float) / kMebibyte});
+                         convection::bytes_of_grown(wanted) / kMebibyte});
     }
     return needs;
 }

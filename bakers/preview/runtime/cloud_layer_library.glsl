@@ -12,8 +12,16 @@ float NAME_depth(LAYER, vec3 p, vec3 ray, float stride) {
     return BAKED_extinction_per_m() * NAME_sum(LAYER_GIVEN, p + ray * (0.5 * apart), ray, apart, int(way / apart));
 }
 
+// The shares of half of the sky's and of half of the ground's light that reach p along a line that slants by 45 degrees
+// towards `side`. They come through layers by two-stream theory (Bohren 1987), as through layers above each other.
+vec2 NAME_share(LAYER, vec3 p, vec2 side) {
+    vec3 slant = vec3(0.70711 * side, 0.70711);
+    vec2 depths = vec2(NAME_depth(LAYER_GIVEN, p, slant, 8.0 * STEP_M), NAME_depth(LAYER_GIVEN, p, -slant, 8.0 * STEP_M));
+    return 1.0 / (2.0 + BACKWARD * 0.70711 * depths);
+}
+
 // What a camera sees of the cloud, which repeats along x and y, up to `reach_m`: a march that leaps over what is empty,
-// with one from each sample towards the sun. Diffuse light comes through layers by two-stream theory (Bohren 1987).
+// with one from each sample towards the sun. The whole layer lets the share THROUGH of the sky's light pass.
 // A pixel is `pixel` radians wide, and its `noise` in [0, 1) moves its samples.
 Clouds NAME_seen(TABLES, LAYER, vec3 camera_m, vec3 ray, vec3 sun, float reach_m, float pixel, float noise) {
     float base = BAKED_corner_m().z, height = BAKED_extent_m().z, level = abs(ray.z) < 0.0000001 ? 0.0000001 : ray.z;
@@ -42,11 +50,10 @@ Clouds NAME_seen(TABLES, LAYER, vec3 camera_m, vec3 ray, vec3 sun, float reach_m
         was_empty = density <= 0.0;
         if (density > 0.0) {
             float depth = sun.z > 0.0 ? NAME_depth(LAYER_GIVEN, p, sun, STEP_M) : 1000000.0;
-            float above = NAME_depth(LAYER_GIVEN, p, vec3(0.0, 0.0, 1.0), 2.0 * STEP_M);
-            float below = NAME_depth(LAYER_GIVEN, p, vec3(0.0, 0.0, -1.0), 2.0 * STEP_M);
+            vec2 shares = 0.25 * (NAME_share(LAYER_GIVEN, p, vec2(1.0, 0.0)) + NAME_share(LAYER_GIVEN, p, vec2(-1.0, 0.0)) +
+                                  NAME_share(LAYER_GIVEN, p, vec2(0.0, 1.0)) + NAME_share(LAYER_GIVEN, p, vec2(0.0, -1.0)));
             Light light = cloud_sunlit(octaves, depth) * mix(sun_low, sun_high, (p.z - base) / height) +
-                          from_sky / (2.0 + 0.131 * above) +
-                          from_ground / (2.0 + 0.131 * below) * 2.0 / (2.0 + 0.131 * (above + below));
+                          shares.x * from_sky + shares.y * THROUGH * from_ground;
             float passed = exp(-BAKED_extinction_per_m() * density * STEP_M * (1.0 + pixel * (2.0 * k + 1.0)));
             float weight = seen.through * (1.0 - passed);
             seen.light += weight * light;

@@ -12,6 +12,8 @@
 
 #include "bakers/assets/cloud_volume/cloud_volume.h"
 #include "bakers/assets/registry/registry.h"
+#include "bakers/field/finish_volume.h"
+#include "bakers/march/cloud_light.h"
 #include "bakers/march/layer_march.h"
 #include "bakers/preview/page_text.h"
 #include "bakers/render/white_balance.h"
@@ -84,6 +86,7 @@ struct RuntimeCloud {
     const config::Bake* leaps = nullptr;  // an occupancy that tells how far a ray may leap
     config::Cloud cloud;                  // as its voxels span it
     std::array<int, 3> voxels{};
+    double through = 1;  // the share of diffuse light that passes the layer
 };
 
 const config::Bake* leaps_of(const PreviewAssets& assets, const std::string& volume) {
@@ -93,6 +96,18 @@ const config::Bake* leaps_of(const PreviewAssets& assets, const std::string& vol
                    std::ranges::find(occupancy.contents, config::OccupancyContent::leap) !=
                        occupancy.contents.end();
         });
+}
+
+// The share of scattered light that goes back, by which two-stream theory multiplies depths.
+double backward_share() { return 1 - mean_cosine(droplet_phase(kDropletDiameter_um)); }
+
+// Covered columns count as if they had the mean of their depths.
+double share_through(const ManifestAsset& volume, const config::Cloud& cloud) {
+    const double cover = number_named(volume.details, covered_columns).value_or(1);
+    if (cover == 0) return 1;
+    const double depth = cloud.extinction_scale.per_meter * cloud.extent[2].meters *
+                         volume.levels.front().statistics.front().mean / cover;
+    return 1 - cover + cover * 2 / (2 + backward_share() * depth);
 }
 
 // Returns the first volume of one channel of each cloud.
@@ -105,8 +120,9 @@ std::vector<RuntimeCloud> runtime_clouds(const PreviewAssets& assets) {
         const auto* volume = bake != nullptr ? bake->find<config::CloudVolumeBake>() : nullptr;
         if (volume == nullptr || asset.entry.channels.size() != 1) continue;
         if (!seen.insert(volume->cloud).second) continue;
-        clouds.push_back(
-            {bake, leaps_of(assets, bake->name), spanned_cloud(parameters, *volume), volume->size});
+        const config::Cloud cloud = spanned_cloud(parameters, *volume);
+        clouds.push_back({bake, leaps_of(assets, bake->name), cloud, volume->size,
+                          share_through(asset.entry, cloud)});
     }
     return clouds;
 }
@@ -176,6 +192,8 @@ std::string layer_glsl(const RuntimeCloud& cloud) {
          {std::pair{"NAME_", march_name(cloud) + "_"},
           std::pair{"BAKED_", glsl_name(cloud.volume->name) + "_"},
           std::pair{"STEP_M\\b", glsl_number(steps.step_m)},
+          std::pair{"BACKWARD\\b", glsl_number(backward_share())},
+          std::pair{"THROUGH\\b", glsl_number(cloud.through)},
           std::pair{"REACH_M\\b", glsl_number(steps.reach_m)}, std::pair{"SUM;", reading.sum},
           std::pair{"DENSITY\\b", reading.density}, std::pair{"LEAP\\b", reading.leap},
           std::pair{"LAYER\\b", declared(textures)},
