@@ -138,8 +138,8 @@ struct CloudReader {
         check_loop(section);
     }
 
-    // A frame is long enough for a film of 24 frames a second to show 48 times what an eye sees, and short enough
-    // for one frame in thirty of a voxel's life at the most.
+    // At two seconds of the flow for each frame, three voxels of cloud in a hundred change to none or back from one
+    // frame to the next (examples/grown_clouds.md), and a film is 48 times as fast as the sky.
     double default_loop_minutes(const DecodedSection& section) const {
         constexpr double kFrame_min = 2.0 / 60;
         const DecodedField& minutes = section.at("minutes");
@@ -154,7 +154,7 @@ struct CloudReader {
                            fmt::format("is {:g}, longer than the cloud grows", loop),
                            fmt::format("at most `minutes`, {:g}", cloud.convection.minutes));
         }
-        if (section.at("loop_minutes").source != nullptr && cloud.period == 0) {
+        if (loop > 0 && cloud.period == 0) {
             decoder.report("E0111", section, "loop_minutes",
                            fmt::format("belongs to {}, and there is none", join_path(path, "period")),
                            "give the cloud a period, or leave loop_minutes out");

@@ -1,4 +1,8 @@
 // Bakes of clouds and occupancy grids through the command line, and what verify proves of them.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -45,6 +49,46 @@ TEST_F(CloudBake, VerifiesInAllFormats) {
     EXPECT_EQ(verified.code, 0) << verified.out << verified.error;
     const Result again = bake({"-j", "1"});
     EXPECT_EQ(again.code, 0) << again.error;
+}
+
+// A frame says how much changes until the next one. A box holds 8 x 8 x 8 voxels, which are all of these.
+TEST_F(CloudBake, FramesSayHowMuchTheyChange) {
+    const auto write_loop = [&](int period) {
+        write_bytes(recipe_,
+                    fmt::format("[noise.n]\nperiod = {0}\n[noise.n.channels.Y]\ntype = \"perlin\"\n"
+                                "frequency = 2\n[clouds.c]\nnoise = \"n\"\nextent = [\"1 km\", "
+                                "\"1 km\", \"1 km\"]\nthreshold = 0.5\nheight_profile = {{ type = "
+                                "\"tabulated\", table = [[0, 1]] }}\n[bake.c]\nasset = "
+                                "\"cloud_volume\"\ncloud = \"c\"\nsize = [8, 8, 8]\nframes = {0}\n"
+                                "formats = [\"bin\"]\npixel_type = \"float\"\n",
+                                period));
+    };
+    write_loop(4);
+    const Result fast = bake();
+    ASSERT_EQ(fast.code, 0) << fast.error;
+    EXPECT_EQ(fast.error.find("W0229"), fast.error.rfind("W0229"));  // once for all frames
+    EXPECT_NE(fast.error.find("W0229"), std::string::npos) << fast.error;
+    const auto manifest = nlohmann::json::parse(read_bytes(out_ + "/manifest.json"));
+    for (const int frame : {3, 4}) {  // after the last one comes the first
+        const std::string before = read_bytes(fmt::format("{}/c_{:04}.bin", out_, frame));
+        const std::string after = read_bytes(fmt::format("{}/c_{:04}.bin", out_, frame % 4 + 1));
+        double cloudy = 0, flips = 0, squares = 0;
+        for (std::size_t i = 0; i < before.size(); i += sizeof(float)) {
+            float a = 0, b = 0;
+            std::memcpy(&a, before.data() + i, sizeof(float));
+            std::memcpy(&b, after.data() + i, sizeof(float));
+            if (a == 0 && b == 0) continue;
+            ++cloudy;
+            flips += a == 0 || b == 0 ? 1 : 0;
+            squares += (double{a} - double{b}) * (double{a} - double{b});
+        }
+        const auto& details = manifest["assets"][static_cast<std::size_t>(frame - 1)]["details"];
+        EXPECT_GT(flips, 0);
+        EXPECT_DOUBLE_EQ(details["flips_per_frame"], flips / cloudy);
+        EXPECT_NEAR(details["rms_change_per_frame"], std::sqrt(squares / cloudy), 1e-6);
+    }
+    write_loop(96);
+    EXPECT_EQ(bake().error.find("W0229"), std::string::npos);
 }
 
 // The share of columns with cloud is stated wherever a bake speaks of its assets.

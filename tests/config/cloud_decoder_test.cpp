@@ -103,7 +103,7 @@ TEST(TowerLife, IsNoneUnlessItIsGiven) {
     const Cloud plain = cloud_of(tower);
     EXPECT_EQ(plain.period, 0);
     EXPECT_FALSE(plain.towers[0].lives());
-    EXPECT_FALSE(towers_move(plain));
+    EXPECT_FALSE(cloud_moves(plain));
     const Cloud given = cloud_of("period = 48\ntime = -3\ndrift = [0.5, -2]\n" + tower +
                                  "life = [0.4, 0.3, 0.2]\nborn = 0.25\ngrows_from = 0.5\n");
     EXPECT_EQ(given.period, 48);
@@ -112,7 +112,7 @@ TEST(TowerLife, IsNoneUnlessItIsGiven) {
     EXPECT_EQ(given.towers[0].life, (std::array<double, 3>{0.4, 0.3, 0.2}));
     EXPECT_EQ(given.towers[0].born, 0.25);
     EXPECT_EQ(given.towers[0].grows_from, 0.5);
-    EXPECT_TRUE(towers_move(given));
+    EXPECT_TRUE(cloud_moves(given));
 }
 
 // --- Frames -------------------------------------------------------------------------------------

@@ -3,9 +3,11 @@
 
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "bakers/assets/cloud_volume/cloud_inputs.h"
 #include "bakers/assets/cloud_volume/cloud_volume.h"
+#include "bakers/assets/cloud_volume/frame_change.h"
 #include "bakers/convection/convection.h"
 #include "bakers/field/baked.h"
 #include "config/sections/cloud.h"
@@ -14,14 +16,35 @@
 namespace skybake {
 namespace {
 
+// Tells how much a frame of a sequence changes until the next one. The first one warns (W0229) of flicker, for all.
+void add_change(const CloudVolumeBake& asset, const FrameChange& change, Facts& details,
+                std::vector<Diagnostic>& diagnostics) {
+    details.emplace_back("flips_per_frame", change.flips);
+    details.emplace_back("rms_change_per_frame", change.rms);
+    if (asset.frame != 1 || change.flips <= kMostFlips) return;
+    Diagnostic warning;
+    warning.severity = Severity::warning;
+    warning.code = "W0229";
+    warning.message = fmt::format(
+        "`{}` flickers: {:.0f} % of its voxels become cloud or cease to be until the next frame",
+        asset.cloud, 100 * change.flips);
+    warning.label = "give the loop more frames (`period` of the cloud and of its noises)";
+    diagnostics.push_back(std::move(warning));
+}
+
 Outcome<Baked> bake(const Parameters& parameters, const CloudVolumeBake& asset,
                     const BakeOptions& options, AssetLabel label) {
     Baked volume = labelled_volume(std::move(label));
     const Outcome<CloudInputs> inputs = cloud_inputs(parameters, asset, volume.details, options);
     if (!inputs.value) return {{}, inputs.diagnostics};
+    std::vector<Diagnostic> warnings = inputs.diagnostics;
+    if (asset.frame > 0) {
+        const auto change = change_to_next_frame(parameters, asset, *inputs.value, options);
+        if (!change) return {};
+        add_change(asset, *change, volume.details, warnings);
+    }
     Outcome<Baked> baked = bake_cloud_volume(cloud_named(parameters, asset.cloud), asset,
                                              *inputs.value, options, std::move(volume));
-    const auto& warnings = inputs.diagnostics;
     baked.diagnostics.insert(baked.diagnostics.end(), warnings.begin(), warnings.end());
     return baked;
 }
@@ -138,7 +161,7 @@ GlslFunction march_function(std::string_view cells, const std::string& call, std
 }
 
 Baker<CloudVolumeBake> baker(BakerTag<CloudVolumeBake>) {
-    return {.version = 8,
+    return {.version = 9,
             .bake = bake,
             .estimate = estimate_cloud_volume,
             .needs = needs,
