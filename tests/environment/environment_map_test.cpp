@@ -46,7 +46,7 @@ const std::vector<EnvironmentBake>& maps_of_one_sky() {
 TEST(EnvironmentMap, LightsALevelSurfaceAsTheAssetIrradianceSays) {
     for (const double sun : {60.0, 25.0, 3.0, -3.0}) {
         const Spectrum wanted =
-            sky_irradiance(earth().light(), 0, std::sin(sun * kDegree), {28, 32, 12});
+            sky_irradiances(earth().light(), 0, {std::sin(sun * kDegree)}, {28, 32, 12}).front();
         const EnvironmentBake bake =
             bake_of(EnvironmentMapping::longitude_latitude, {1024, 512}, sun);
         const Baked map = baked(earth().light(), bake);
@@ -111,7 +111,7 @@ TEST(EnvironmentMap, AllMappingsShowTheSameSky) {
         EXPECT_LT(std::sqrt(squares / (count / 97 * 3)), 1e-3);
         const auto found = level_irradiance(map.image(), layout);
         const Spectrum wanted =
-            sky_irradiance(earth().light(), 0, std::sin(25 * kDegree), {28, 32, 12});
+            sky_irradiances(earth().light(), 0, {std::sin(25 * kDegree)}, {28, 32, 12}).front();
         for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(found[c] / wanted[c], 1, 3e-3);
     }
 }
