@@ -10,6 +10,7 @@
 #include "config/sections/layer.h"
 #include "config/sections/noise.h"
 #include "config/text/key_path.h"
+#include "config/text/units.h"
 #include "tests/fuzz/asset_properties.h"
 
 namespace skybake::config::fuzzing {
@@ -31,7 +32,7 @@ inline bool is_in(const Range& range, double value) {
 
 // Every number is in the range of its key, wherever it comes from.
 inline void check_ranges(const std::vector<ResolvedValue>& values) {
-    static const std::regex numbers(R"((?:^|[\[ "])([-+]?(?:[0-9.]+(?:e[-+]?[0-9]+)?|inf|nan)))");
+    static const std::regex items(R"--("([^"]*)"|[-+]?(?:[0-9]|inf|nan)[^,\]]*)--");
     std::string asset;
     for (const ResolvedValue& value : values) {
         std::vector<std::string> names = split_path(value.path).value();
@@ -43,9 +44,13 @@ inline void check_ranges(const std::vector<ResolvedValue>& values) {
             const Field* field = find_field(section, key);
             if (!is_its || !names_fit(names, section) || !field || !field->kind.scale) continue;
             const std::string& text = value.canonical;
-            for (std::sregex_iterator found(text.begin(), text.end(), numbers), end; found != end;
-                 ++found) {
-                require(is_in(field->range, std::stod((*found)[1])),
+            for (std::sregex_iterator item(text.begin(), text.end(), items), end; item != end;
+                 ++item) {
+                const bool is_text = (*item)[1].matched;  // a quantity, or a word
+                const auto number = parse_quantity((*item)[is_text ? 1 : 0].str());
+                const auto* quantity = std::get_if<Quantity>(&number);
+                if (is_text && !quantity) continue;
+                require(quantity && is_in(field->range, quantity->value),
                         (value.path + " = " + text + " is out of range").c_str());
             }
         }

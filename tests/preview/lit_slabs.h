@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "bakers/light/sky_radiance.h"
-#include "bakers/march/cloud_medium.h"
 #include "tests/preview/clouds.h"
 #include "tests/support/air_ray.h"
 
@@ -28,12 +27,8 @@ struct Slab {
     double optical_depth;
 
     CloudMedium medium() const {
-        config::Cloud cloud = cloud_of({4000, 4000, 500}, base_m);
-        cloud.extinction_scale.per_meter = optical_depth / 500;
-        const std::vector<float> voxels(8 * 8 * 32, 1.0F);
-        CloudMedium medium = cloud_medium(cloud, voxels.data(), {8, 8, 32}, 1, 1);
-        medium.leaps = leaps_of_voxels(medium, 4, 1);
-        return medium;
+        return medium_of({4000, 4000, 500}, base_m, {8, 8, 32},
+                         std::vector<float>(8 * 8 * 32, 1.0F), optical_depth / 500, 4);
     }
     // The share of diffuse light that passes it (Bohren 1987).
     double through() const {
