@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "bakers/light/sky_radiance.h"
+#include "bakers/march/cloud_light.h"
 #include "tests/preview/clouds.h"
 #include "tests/support/air_ray.h"
 
