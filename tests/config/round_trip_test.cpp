@@ -49,10 +49,10 @@ bool are_equal(const Parameters& one, const Parameters& other) {
            std::ranges::equal(one.bakes, other.bakes, {}, to_string, to_string);
 }
 
-// What files carry of these is no recipe of them: of a light whose cells were searched, which has both
-// `cell` and `max_error`, and of Takram's table, whose `nu_size` is not the usual one.
-std::string without_searched(const std::string& text) {
-    static const std::regex sections(R"(\[bake\.(\w*near\w*|takram)\]\n([^\[].*\n)*)");
+// What files carry of these is no recipe of them: a light whose cells were searched has both `cell` and
+// `max_error`, and CalcMySky's table has a `sun_cos_zenith_min` that only the planet may say.
+std::string without_contradictions(const std::string& text) {
+    static const std::regex sections(R"(\[bake\.(\w*near\w*|calcmysky)\]\n((?!\[).*\n)*)");
     return std::regex_replace(text, sections, "");
 }
 
@@ -79,7 +79,8 @@ TEST(RoundTrip, ParametersAreTheSameRecipe) {
         for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
             if (entry.path().extension() != ".toml") continue;
             std::ifstream file(entry.path(), std::ios::binary);
-            const std::string text = without_searched({std::istreambuf_iterator<char>(file), {}});
+            const std::string text =
+                without_contradictions({std::istreambuf_iterator<char>(file), {}});
             if (!parse_recipe(text, "test.toml", entry.path().parent_path()).value) continue;
             SCOPED_TRACE(entry.path().string());
             expect_round_trip(text, entry.path().parent_path());
