@@ -49,10 +49,10 @@ bool are_equal(const Parameters& one, const Parameters& other) {
            std::ranges::equal(one.bakes, other.bakes, {}, to_string, to_string);
 }
 
-// What files carry of these is no recipe of them: a light whose cells were searched has both `cell` and
-// `max_error`, and CalcMySky's table has a `sun_cos_zenith_min` that only the planet may say.
+// What files carry of a light whose cells were searched is no recipe of it: it has both `cell` and
+// `max_error`.
 std::string without_contradictions(const std::string& text) {
-    static const std::regex sections(R"(\[bake\.(\w*near\w*|calcmysky)\]\n((?!\[).*\n)*)");
+    static const std::regex sections(R"(\[bake\.\w*near\w*\]\n((?!\[).*\n)*)");
     return std::regex_replace(text, sections, "");
 }
 
