@@ -255,11 +255,6 @@ std::vector<Spectrum> sky_irradiances(const SkyLight& light, double altitude_km,
     return sums;
 }
 
-Spectrum sky_irradiance(const SkyLight& light, double altitude_km, double sun_cos_zenith,
-                        const IrradianceNodes& nodes) {
-    return sky_irradiances(light, altitude_km, {sun_cos_zenith}, nodes).front();
-}
-
 Spectrum sun_irradiance(const SkyLight& light, double altitude_km, double sun_cos_zenith) {
     if (sun_cos_zenith <= 0) return {};
     const double r = light.shell().ground_radius_km + altitude_km;

@@ -33,11 +33,7 @@ std::vector<Spectrum> sky_irradiances(const SkyLight& light, double altitude_km,
                                       const std::vector<double>& sun_cosines,
                                       const IrradianceNodes& nodes);
 
-// Returns the irradiance of one surface.
-Spectrum sky_irradiance(const SkyLight& light, double altitude_km, double sun_cos_zenith,
-                        const IrradianceNodes& nodes);
-
-// Returns the irradiance of the same surface by sunlight that comes straight from the sun.
+// Returns the irradiance of such a surface by sunlight that comes straight from the sun.
 Spectrum sun_irradiance(const SkyLight& light, double altitude_km, double sun_cos_zenith);
 
 }  // namespace skybake

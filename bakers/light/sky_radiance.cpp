@@ -263,22 +263,4 @@ std::vector<SkyRadiance> SkyIntegrator::up_to(const SkyRay& ray,
     return result;
 }
 
-SkyRadiance SkyIntegrator::between(const SkyRay& ray, double from_km, double to_km) const {
-    std::vector<double> cuts = {from_km};
-    for (const double cut : cuts_km(ray)) {
-        if (cut > from_km && cut < to_km) cuts.push_back(cut);
-    }
-    cuts.push_back(to_km);
-    const std::vector<Spectrum> of_layers = phases(ray);
-    SkyRadiance sum;
-    Spectrum depth = depth_between(ray, 0, from_km);
-    for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
-        if (!(cuts[i] < cuts[i + 1])) continue;
-        const Spectrum next = depth + depth_between(ray, cuts[i], cuts[i + 1]);
-        add_piece(ray, of_layers, {cuts[i], cuts[i + 1], depth, next}, 0, sum);
-        depth = next;
-    }
-    return sum;
-}
-
 }  // namespace skybake

@@ -74,10 +74,6 @@ class SkyIntegrator {
     std::vector<SkyRadiance> up_to(const SkyRay& ray,
                                    const std::vector<double>& distances_km) const;
 
-    // Returns the light scattered between two distances as it arrives at the ray's beginning,
-    // without the ground.
-    SkyRadiance between(const SkyRay& ray, double from_km, double to_km) const;
-
     // Returns the radiance of the ground in 1/sr where r mu_s = `sun_s_km`.
     Spectrum ground_radiance(double sun_s_km) const;
 

@@ -207,10 +207,10 @@ void warn_of_loader(const DecodedSection& bake, const VoxelCounts& usual_size, D
         "it loads the default sizes, half floats and one stack upside down, without mips");
 }
 
-// Reports a sun's axis that CalcMySky does not have (E0110).
-void check_calcmysky(const DecodedSection& bake, Decoder& decoder) {
+// Reports a sun's axis that CalcMySky does not have (E0110). Files carry the one that it has.
+void check_calcmysky(const DecodedSection& bake, double usual, Decoder& decoder) {
     const DecodedField& least = bake.at("sun_cos_zenith_min");
-    if (!least.source) return;
+    if (!least.source || !least.value || std::get<double>(*least.value) == usual) return;
     decoder.report("E0110", bake, "sun_cos_zenith_min",
                    "follows from the planet with convention = \"calcmysky\"",
                    "leave it out, or take another convention");
@@ -239,8 +239,9 @@ void resolve_bruneton(DecodedSection& bake, const RecipeSoFar& so_far, Decoder& 
         derive(bake.at("combined"), *convention == BrunetonConvention::takram);
     }
     if (!is_flat) {
-        derive(bake.at("sun_cos_zenith_min"), default_sun_cosine(*convention, recipe));
-        if (*convention == BrunetonConvention::calcmysky) check_calcmysky(bake, decoder);
+        const double darkest = default_sun_cosine(*convention, recipe);
+        derive(bake.at("sun_cos_zenith_min"), darkest);
+        if (*convention == BrunetonConvention::calcmysky) check_calcmysky(bake, darkest, decoder);
         derive(bake.at("mie_layers"), peaked_layers(recipe.atmosphere));
     }
     if (has_light) {

@@ -173,14 +173,6 @@ TEST_F(CloudBake, OfNothingIsAValidFile) {
     EXPECT_EQ(run_words({"info", out_ + "/c.vdb"}).code, 0);
 }
 
-TEST_F(CloudBake, MapsThatAreNotThereAreNamed) {
-    write(7, "coverage_map = { file = \"nowhere.png\" }\n");
-    const Result baked = bake();
-    EXPECT_EQ(baked.code, 3);
-    EXPECT_NE(baked.error.find("nowhere.png"), std::string::npos) << baked.error;
-    EXPECT_FALSE(fs::exists(out_));
-}
-
 // Whatever reads a recipe opens what it names, and says so at the recipe's line.
 TEST_F(CloudBake, CheckOpensMaps) {
     write_bytes((folder_ / "text.png").string(), "no picture");

@@ -1,6 +1,4 @@
 // Bakes of volumes, and what info, diff and verify say of them.
-#include <sys/resource.h>
-
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -53,26 +51,6 @@ TEST_F(VolumeBake, WritesEachFormatAndLevel) {
     EXPECT_EQ(files(), all_);
     EXPECT_EQ(fs::file_size(file("wisps.bin")), 24U * 20 * 12 * 3 * 2);
     EXPECT_EQ(fs::file_size(file("wisps.mip1.bin")), 12U * 10 * 6 * 3 * 2);
-}
-
-TEST_F(VolumeBake, DoesNotDependOnThreads) {
-    write("formats = [\"exr\", \"bin\"]\n", "[97, 131, 61]");
-    ASSERT_EQ(bake({"-j", "1"}).code, 0);
-    const std::string image = read_bytes(file("wisps.exr"));
-    const std::string voxels = read_bytes(file("wisps.bin"));
-    fs::remove_all(out_);
-    ASSERT_EQ(bake({"-j", "3"}).code, 0);
-    EXPECT_TRUE(read_bytes(file("wisps.exr")) == image);
-    EXPECT_TRUE(read_bytes(file("wisps.bin")) == voxels);
-}
-
-TEST_F(VolumeBake, LeavesUnchangedFilesAlone) {
-    ASSERT_EQ(bake().code, 0);
-    const auto before = made_yesterday(file("wisps.exr"));
-    ASSERT_EQ(bake().code, 0);
-    EXPECT_EQ(fs::last_write_time(file("wisps.exr")), before);
-    ASSERT_EQ(bake({"--set", "noise.wisps.seed=8"}).code, 0);
-    EXPECT_NE(fs::last_write_time(file("wisps.exr")), before);
 }
 
 TEST_F(VolumeBake, EventsNameEachFile) {
@@ -259,21 +237,6 @@ TEST_F(VolumeBake, ValuesThatNoFileHoldsAreRefused) {
     expect_said(bake({"--set", "noise.wisps.channels.B.value=1.5"}), 4,
                 {"E0402", "voxel (0, 0, 0), channel B"});
     EXPECT_EQ(files(), Names{});
-}
-
-TEST_F(VolumeBake, ADiskThatFillsUpLosesNothing) {
-    ASSERT_EQ(bake().code, 0);
-    const std::string old = read_bytes(file("wisps.exr"));
-    const auto small_files = [] {
-        const rlimit limit = {16384, 16384};
-        ::setrlimit(RLIMIT_FSIZE, &limit);
-    };
-    const Result result = run_program(words({"--set", "noise.wisps.seed=8"}), small_files);
-    EXPECT_EQ(result.code, 3) << result.error;
-    EXPECT_TRUE(contains(result.error, "File too large")) << result.error;
-    EXPECT_FALSE(contains(result.error, ".tmp")) << result.error;
-    EXPECT_EQ(read_bytes(file("wisps.exr")), old);
-    EXPECT_EQ(files(), all_);
 }
 
 TEST_F(VolumeBake, AnInterruptLeavesNoPartialFile) {

@@ -12,6 +12,7 @@
 #include "bakers/field/baked.h"
 #include "bakers/math/quadrature.h"
 #include "tests/cloud_light/layers.h"
+#include "tests/support/volumes.h"
 
 namespace skybake::cloud_light {
 namespace {
@@ -55,12 +56,7 @@ Baked baked(const CloudLayer& layer, const CloudLightBake& bake, int threads = 2
 // [channel][texel].
 std::vector<std::vector<float>> texels_of(const Baked& volume) {
     const Level& level = volume.levels.front();
-    std::vector<std::vector<float>> texels(volume.channel_names.size(),
-                                           std::vector<float>(occupancy::count_of(level.size)));
-    std::vector<float*> channels;
-    for (std::vector<float>& channel : texels) channels.push_back(channel.data());
-    level.voxels->fill({{}, level.size}, channels);
-    return texels;
+    return testing::planes_of(*level.voxels, {{}, level.size}, volume.channel_names.size());
 }
 
 // With an optical depth of 0.2 a layer, 8 voxels of 8 m high.

@@ -76,18 +76,6 @@ TEST(AerosolDecoder, ComponentsAreOpacsOrTheRecipes) {
     EXPECT_EQ(own.particles.kinds.at(0).particles.material, ParticleMaterial::water);
 }
 
-TEST(AerosolDecoder, TheirParametersAreARecipe) {
-    for (const char* text :
-         {"aerosol = 'desert'\noptical_depth = 0.3\n",
-          "components = [['soot', '8300 /cm3'], ['sea_salt_coarse', '0.1 /cm3']]\n",
-          "components = [['p', '3 /cm3']]\nrelative_humidity = 0.9\n[particles.p]\n"
-          "material = 'tabulated'\nindices = [['400 nm', 1.5, 0.01], ['700 nm', 1.5, 0]]\n"
-          "effective_radius = '1 um'\nsmallest_radius = '0.1 um'\nlargest_radius = '9 um'\n"}) {
-        const std::string all = testing::all_parameters(valid(haze + text));
-        EXPECT_EQ(testing::all_parameters(valid(all)), all);
-    }
-}
-
 TEST(AerosolDecoder, ParticlesMayHaveAnOpticalDepth) {
     const std::string drops = "[particles.drops]\neffective_radius = '10 um'\n";
     const Layer layer = layer_of("phase = { mie = 'drops' }\noptical_depth = 0.4\n" + drops);

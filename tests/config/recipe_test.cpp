@@ -2,7 +2,6 @@
 #include "config/recipe/recipe.h"
 
 #include <gtest/gtest.h>
-#include <rapidcheck.h>
 
 #include <locale>
 
@@ -158,31 +157,6 @@ TEST(Recipe, DoesNotDependOnTheLocale) {
     EXPECT_EQ(all_parameters(valid("preset = 'earth_hillaire'")), expected);
     EXPECT_EQ(parse("format = 2000").diagnostics.back().message, message);
     std::locale::global(before);
-}
-
-// The canonical text is itself a recipe, of the same parameters.
-TEST(Recipe, CanonicalTextReadsBack) {
-    EXPECT_TRUE(rc::check("resolve(canonical(recipe)) == recipe", [] {
-        const auto scale_height = *rc::gen::inRange(1, 1000000);
-        const auto scattering = *rc::gen::inRange(0, 1000000);
-        const auto absorption = *rc::gen::inRange(0, 1000000);
-        const auto exponent = *rc::gen::inRange(-12, -7);
-        const auto g = *rc::gen::inRange(-99999, 99999);
-        const std::string suffix = "e" + std::to_string(exponent) + " /km\"\n";
-        const std::string text =
-            "preset = \"vacuum\"\n[atmosphere.layers.x]\nprofile = \"exponential\"\n"
-            "scale_height = \"" +
-            std::to_string(scale_height) + "e-3 km\"\n" + "scattering = \"" +
-            std::to_string(scattering) + suffix + "absorption = \"" + std::to_string(absorption) +
-            suffix + "phase = \"henyey_greenstein\"\ng = " + std::to_string(g) + "e-5\n" +
-            "[bake.transmittance]\nmax_error = \"1 %\"\n";
-        const Outcome<Recipe> once = parse(text);
-        RC_ASSERT(once.value.has_value());
-        const std::string canonical = all_parameters(*once.value);
-        const Outcome<Recipe> twice = parse(canonical);
-        RC_ASSERT(twice.value.has_value());
-        RC_ASSERT(all_parameters(*twice.value) == canonical);
-    }));
 }
 
 }  // namespace

@@ -49,19 +49,6 @@ TEST(SkyView, TakesOneSunOrSeveral) {
     EXPECT_TRUE(three.layers.empty());
 }
 
-// The parameters of files are a recipe of the same.
-TEST(SkyAssets, CarryParametersThatAreARecipe) {
-    for (const char* text :
-         {"[scene]\nview_distance = '10 km'\n"
-          "[bake.sky_view]\nsun_elevations = ['90 deg', '-90 deg']\norders = 'single'\n"
-          "layers = ['mie']\n[bake.aerial_perspective]\nsun_elevation = '5 deg'\n[bake.irradiance]",
-          "[bake.bruneton]\n", "[bake.optical_depth]\n", "[bake.bruneton]\ntable = 'irradiance'",
-          "[particles.drops]\npreset = 'fog'\n[bake.p]\nasset = 'phase'\nparticles = 'drops'\n"}) {
-        const std::string carried = testing::all_parameters(earth(text));
-        EXPECT_EQ(testing::all_parameters(valid(carried)), carried);
-    }
-}
-
 TEST(Bruneton, HasDefaultsOfItsOwn) {
     const auto scattering = only_bake<BrunetonBake>(earth("[bake.bruneton]\n"));
     EXPECT_EQ(scattering.orders, 0);

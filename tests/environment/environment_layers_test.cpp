@@ -23,16 +23,7 @@ using test::earth;
 using test::kDegree;
 using test::kPi;
 using test::map_bake;
-
-CloudMedium medium_of(const std::array<double, 3>& extent_m, double base_m,
-                      const std::array<int, 3>& size, const std::vector<float>& voxels,
-                      double extinction_per_m) {
-    config::Cloud cloud = test::cloud_of(extent_m, base_m);
-    cloud.extinction_scale.per_meter = extinction_per_m;
-    CloudMedium medium = cloud_medium(cloud, voxels.data(), size, 1, 1);
-    medium.leaps = leaps_of_voxels(medium, 2, 1);
-    return medium;
-}
+using test::medium_of;
 
 CloudMedium slab(double base_m, double height_m, double optical_depth) {
     return medium_of({4000, 4000, height_m}, base_m, {8, 8, 32},
@@ -43,7 +34,7 @@ CloudMedium slab(double base_m, double height_m, double optical_depth) {
 std::vector<CloudMedium> three_layers() {
     const auto clumps = [](const std::array<double, 3>& extent_m, double base_m,
                            const std::array<int, 3>& size, std::uint32_t seed) {
-        return medium_of(extent_m, base_m, size, test::clumped_voxels(size, seed, 0.4), 0.01);
+        return medium_of(extent_m, base_m, size, test::clumped_voxels(size, seed, 0.4));
     };
     std::vector<CloudMedium> media;
     media.push_back(clumps({2000, 1500, 300}, 2500, {20, 30, 8}, 5));

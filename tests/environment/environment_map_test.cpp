@@ -11,6 +11,7 @@
 #include "bakers/light/sky_irradiance.h"
 #include "tests/environment/maps.h"
 #include "tests/light/sky_media.h"
+#include "tests/support/air_ray.h"
 #include "tests/support/outcomes.h"
 
 namespace skybake {
@@ -45,13 +46,44 @@ const std::vector<EnvironmentBake>& maps_of_one_sky() {
 TEST(EnvironmentMap, LightsALevelSurfaceAsTheAssetIrradianceSays) {
     for (const double sun : {60.0, 25.0, 3.0, -3.0}) {
         const Spectrum wanted =
-            sky_irradiance(earth().light(), 0, std::sin(sun * kDegree), {28, 32, 12});
+            sky_irradiances(earth().light(), 0, {std::sin(sun * kDegree)}, {28, 32, 12}).front();
         const EnvironmentBake bake =
             bake_of(EnvironmentMapping::longitude_latitude, {1024, 512}, sun);
         const Baked map = baked(earth().light(), bake);
         const auto found = level_irradiance(map.image(), {bake.mapping, bake.size});
         for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(found[c] / wanted[c], 1, 1e-3) << sun;
     }
+}
+
+// Each texel is the integral along its own ray, whose direction stands here in plain trigonometry.
+TEST(EnvironmentMap, HoldsWhatTheIntegratorSees) {
+    EnvironmentBake bake = test::map_bake({64, 32}, 10);
+    bake.altitude = {500};
+    const Image2<float> map = baked(earth().light(), bake).image();
+    const Shell shell = earth().light().shell();
+    for (const auto& [x, y] : {std::pair{0, 3}, {31, 14}, {40, 10}, {63, 12}, {20, 25}, {7, 31}}) {
+        const double azimuth = 2 * kPi * ((x + 0.5) / 64 - 0.5);
+        const double elevation = kPi * (0.5 - (y + 0.5) / 32);
+        const double sun = 10 * kDegree;
+        const double cosine = std::sin(elevation) * std::sin(sun) +
+                              std::cos(elevation) * std::cos(sun) * std::cos(azimuth);
+        const SkyRay ray = test::air_ray(shell, 0.5, std::sin(elevation), std::sin(sun), cosine);
+        const Spectrum wanted = earth().light().wanted(earth().light().integrator().radiance(ray));
+        for (std::size_t c = 0; c < 3; ++c) {
+            EXPECT_NEAR(map.texel(x, y)[c], wanted[c], 2e-3 * wanted[c]) << x << " " << y;
+        }
+    }
+}
+
+TEST(EnvironmentMap, IsTheGroundBelowAndNothingAboveWithoutAir) {
+    const SkyLight light(
+        make_sky_medium(test::preset_atmosphere("vacuum", {"atmosphere.ground_albedo=0.5"})),
+        config::SkyOrders::all, nullptr);
+    const Image2<float> map = baked(light, test::map_bake({4, 4}, 30)).image();
+    EXPECT_EQ(map.texel(1, 0)[0], 0);
+    EXPECT_EQ(map.texel(1, 1)[0], 0);
+    EXPECT_NEAR(map.texel(1, 2)[0], 0.5 / kPi * 0.5, 1e-7);
+    EXPECT_NEAR(map.texel(2, 3)[0], 0.5 / kPi * 0.5, 1e-7);
 }
 
 TEST(EnvironmentMap, AllMappingsShowTheSameSky) {
@@ -79,7 +111,7 @@ TEST(EnvironmentMap, AllMappingsShowTheSameSky) {
         EXPECT_LT(std::sqrt(squares / (count / 97 * 3)), 1e-3);
         const auto found = level_irradiance(map.image(), layout);
         const Spectrum wanted =
-            sky_irradiance(earth().light(), 0, std::sin(25 * kDegree), {28, 32, 12});
+            sky_irradiances(earth().light(), 0, {std::sin(25 * kDegree)}, {28, 32, 12}).front();
         for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(found[c] / wanted[c], 1, 3e-3);
     }
 }
@@ -354,24 +386,29 @@ TEST(EnvironmentMap, TheDiscIsSymmetric) {
 }
 
 TEST(EnvironmentMap, TakesAnySizeCameraAndSun) {
-    for (const EnvironmentMapping mapping :
-         {EnvironmentMapping::longitude_latitude, EnvironmentMapping::cube,
-          EnvironmentMapping::octahedral}) {
-        for (const int edge : {1, 3}) {
-            for (const double altitude : {0.0, 1e6}) {
-                for (const double sun : {90.0, -90.0}) {
-                    EnvironmentBake bake =
-                        bake_of(mapping,
-                                {edge, mapping == EnvironmentMapping::cube ? 6 * edge : edge}, sun);
-                    bake.altitude = {1000 * altitude};
-                    bake.sun = config::SunInMap::disc;
-                    bake.sun_azimuth = {-180 * kDegree};
-                    const Baked map = baked(earth().light(), bake);
-                    for (const float texel : map.image().texels) {
-                        EXPECT_TRUE(std::isfinite(texel) && texel >= 0)
-                            << texel << " " << static_cast<int>(mapping) << " " << edge << " "
-                            << altitude << " " << sun;
-                    }
+    using enum EnvironmentMapping;
+    for (const auto& [mapping, size] :
+         std::initializer_list<test::MappingCase>{{longitude_latitude, {1, 1}},
+                                                  {longitude_latitude, {3, 5}},
+                                                  {longitude_latitude, {1, 64}},
+                                                  {cube, {1, 6}},
+                                                  {cube, {3, 18}},
+                                                  {octahedral, {1, 1}},
+                                                  {octahedral, {3, 3}}}) {
+        for (const double altitude : {0.0, 1.0, 1e5, 1e5 + 0.1, 1e6, 1e9}) {
+            for (const double sun : {90.0, 0.0, -6.0, -90.0}) {
+                EnvironmentBake bake = bake_of(mapping, size, sun);
+                bake.altitude = {altitude};
+                bake.sun = config::SunInMap::disc;
+                bake.sun_azimuth = {-180 * kDegree};
+                const Image2<float> map = baked(earth().light(), bake).image();
+                for (const float texel : map.texels) {
+                    EXPECT_TRUE(std::isfinite(texel) && texel >= 0)
+                        << static_cast<int>(mapping) << " " << altitude << " " << sun;
+                }
+                // From space there is nothing above the air, but for the sun.
+                if (altitude > 1e5 && size[1] == 64 && sun < 90) {
+                    EXPECT_EQ(map.texel(0, 0)[2], 0);
                 }
             }
         }

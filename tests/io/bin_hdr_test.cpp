@@ -48,19 +48,6 @@ TEST(BinVolume, IsLittleEndian) {
     EXPECT_EQ(bytes_of(PixelType::unorm16), std::string("\x00\x40", 2));
 }
 
-TEST(BinVolume, ReadsBackAndDoesNotDependOnThreads) {
-    const TemporaryFolder folder;
-    for (const PixelType type : kTypes) {
-        for (const std::array<int, 3> size :
-             {std::array{1, 1, 1}, {31, 7, 5}, {1031, 523, 3}, {67, 61, 211}}) {
-            const Baked volume = plain_volume(size, 4, type);
-            const std::string bytes = written(folder, volume, 1);
-            EXPECT_TRUE(written(folder, volume, 3) == bytes);
-            EXPECT_EQ(testing::wrong_values(config::FileFormat::bin, volume, folder / "a.file"), 0);
-        }
-    }
-}
-
 TEST(BinVolume, RefusesAnotherLength) {
     const TemporaryFolder folder;
     testing::write_bytes(folder / "a.bin", "1234567");

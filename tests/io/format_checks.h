@@ -90,6 +90,14 @@ inline long wrong_values(config::FileFormat format, const Baked& baked,
     return wrong;
 }
 
+// Writes an asset on one thread and on three, and reads back what was written.
+inline void expect_reads_back(config::FileFormat format, const Baked& baked) {
+    const TemporaryFolder folder;
+    const std::string bytes = written(folder, format, baked, 1);
+    EXPECT_TRUE(written(folder, format, baked, 3) == bytes);
+    EXPECT_EQ(wrong_values(format, baked, folder / "a.file"), 0);
+}
+
 // Reads the asset's file cut short, changed in a byte, and as one of another shape. Sparse grids do
 // not state the size of the volume.
 inline void expect_refuses_damage(config::FileFormat format, const Baked& volume,

@@ -120,23 +120,6 @@ TEST(Ktx2, SaysWhatItHolds) {
     EXPECT_EQ(facts.value->pixel_type, PixelType::half);
 }
 
-TEST(Ktx2, ReadsBackAndDoesNotDependOnThreads) {
-    const TemporaryFolder folder;
-    for (const PixelType type : testing::kPixelTypes) {
-        for (const std::array<int, 3> size :
-             {std::array{1, 1, 1}, {31, 7, 5}, {1031, 523, 3}, {67, 61, 211}}) {
-            // Parts of slices and several slices a box.
-            if (size[0] * size[1] * size[2] > 10000 && type != PixelType::half) continue;
-            for (const auto compression : {Ktx2Compression::none, Ktx2Compression::zstd}) {
-                const Baked volume = volume_of(size, 3, type, compression);
-                const std::string bytes = written(folder, kFormat, volume, 1);
-                EXPECT_TRUE(written(folder, kFormat, volume, 3) == bytes);
-                EXPECT_EQ(testing::wrong_values(kFormat, volume, folder / "a.file"), 0);
-            }
-        }
-    }
-}
-
 // Compares frames of zeros, and of noise, which zstd cannot shorten.
 TEST(Ktx2, ZstdFramesAreThoseOfTheLibrary) {
     const TemporaryFolder folder;

@@ -4,6 +4,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "bakers/io/manifest/claimed_files.h"
 #include "tests/io/files.h"
 
 namespace skybake {
@@ -328,11 +329,12 @@ TEST(Manifest, MergesByName) {
 TEST(Manifest, ClaimsItsFilesAndItself) {
     const TemporaryFolder folder;
     const Manifest manifest = testing::write_sample_bake(folder.path(), {"transmittance"});
-    EXPECT_TRUE(claims(manifest, "transmittance.exr"));
-    EXPECT_TRUE(claims(manifest, "./transmittance.exr"));
-    EXPECT_TRUE(claims(manifest, "manifest.json"));
-    EXPECT_FALSE(claims(manifest, "other.exr"));
-    EXPECT_FALSE(claims(manifest, "sub/transmittance.exr"));
+    const ClaimedFiles claimed(manifest);
+    EXPECT_TRUE(claimed.hold("transmittance.exr"));
+    EXPECT_TRUE(claimed.hold("./transmittance.exr"));
+    EXPECT_TRUE(claimed.hold("manifest.json"));
+    EXPECT_FALSE(claimed.hold("other.exr"));
+    EXPECT_FALSE(claimed.hold("sub/transmittance.exr"));
 }
 
 TEST(Manifest, SchemaTravelsInTheProgram) {

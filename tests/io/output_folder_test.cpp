@@ -1,5 +1,6 @@
 #include "bakers/io/files/output_folder.h"
 
+#include "bakers/io/manifest/claimed_files.h"
 #include "tests/io/files.h"
 
 namespace skybake {
@@ -100,7 +101,7 @@ TEST(OutputFolder, EarlierFormatsClaimTheirFiles) {
     const auto result = inspect_output_folder(folder.path(), files, false);
     ASSERT_TRUE(result.value.has_value());
     EXPECT_NE(result.value->reason.find("earlier format"), std::string::npos);
-    EXPECT_TRUE(claims(*result.value->previous, "transmittance.exr"));
+    EXPECT_TRUE(ClaimedFiles(*result.value->previous).hold("transmittance.exr"));
     testing::write_bytes(folder / "second.exr", "mine");
     const std::vector<std::string> second = {"second.exr"};
     EXPECT_EQ(first_code(inspect_output_folder(folder.path(), second, false).diagnostics), "E0303");

@@ -51,7 +51,7 @@ TEST(SkyIrradiance, IsTheIntegralOverTheSky) {
         for (const double elevation : {90.0, 40.0, 2.0, -5.0}) {
             const SunZenith sun = sun_at_elevation(elevation * kDegree);
             const Spectrum wanted = brute_force(sky.light(), 0.5, sun);
-            const Spectrum found = sky_irradiance(sky.light(), 0.5, sun.cosine, {16});
+            const Spectrum found = sky_irradiances(sky.light(), 0.5, {sun.cosine}, {16}).front();
             for (std::size_t c = 0; c < 3; ++c) {
                 EXPECT_NEAR(found[c] / wanted[c], 1, 4e-3) << preset << ' ' << elevation;
             }
@@ -65,7 +65,9 @@ TEST(SkyIrradiance, PartsAddUp) {
     const TestSky rest(earth, SkyOrders::multiple);
     const TestSky mie(earth, SkyOrders::single, {"mie"});
     const TestSky rayleigh(earth, SkyOrders::single, {"rayleigh"});
-    const auto of = [](const TestSky& sky) { return sky_irradiance(sky.light(), 3, 0.4, {8}); };
+    const auto of = [](const TestSky& sky) {
+        return sky_irradiances(sky.light(), 3, {0.4}, {8}).front();
+    };
     for (std::size_t c = 0; c < 3; ++c) {
         EXPECT_NEAR(of(rest)[c] + of(mie)[c] + of(rayleigh)[c], of(all)[c], 1e-13);
     }
@@ -84,7 +86,8 @@ TEST(SkyIrradiance, UnderManySunsIsThatUnderEach) {
             const std::vector<Spectrum> together =
                 sky_irradiances(sky.light(), altitude_km, suns, {8, 8, 4});
             for (std::size_t i = 0; i < suns.size(); ++i) {
-                const Spectrum alone = sky_irradiance(sky.light(), altitude_km, suns[i], {8, 8, 4});
+                const Spectrum alone =
+                    sky_irradiances(sky.light(), altitude_km, {suns[i]}, {8, 8, 4}).front();
                 EXPECT_EQ(together[i], alone) << preset << ' ' << suns[i];
             }
         }
@@ -93,13 +96,13 @@ TEST(SkyIrradiance, UnderManySunsIsThatUnderEach) {
 
 TEST(SkyIrradiance, IsNothingAtTheTopInVacuumAndAtNight) {
     const TestSky earth(test::preset_atmosphere("earth_hillaire"), SkyOrders::all);
-    EXPECT_EQ(sky_irradiance(earth.light(), 100, 0.5, {6}), Spectrum{});
+    EXPECT_EQ(sky_irradiances(earth.light(), 100, {0.5}, {6}).front(), Spectrum{});
     const TestSky vacuum(test::preset_atmosphere("vacuum"), SkyOrders::all);
-    EXPECT_EQ(sky_irradiance(vacuum.light(), 0, 0.5, {6}), Spectrum{});
+    EXPECT_EQ(sky_irradiances(vacuum.light(), 0, {0.5}, {6}).front(), Spectrum{});
     const TestSky single(test::preset_atmosphere("earth_hillaire"), SkyOrders::single);
-    EXPECT_EQ(sky_irradiance(single.light(), 0, -1, {6}), Spectrum{});
+    EXPECT_EQ(sky_irradiances(single.light(), 0, {-1}, {6}).front(), Spectrum{});
     for (const double mu : {-1.0, -0.1, 0.0, 1e-12, 1.0}) {
-        const Spectrum irradiance = sky_irradiance(earth.light(), 0, mu, {6});
+        const Spectrum irradiance = sky_irradiances(earth.light(), 0, {mu}, {6}).front();
         for (std::size_t c = 0; c < kMaxChannels; ++c) {
             EXPECT_TRUE(std::isfinite(irradiance[c]) && irradiance[c] >= 0) << mu;
         }
@@ -111,7 +114,7 @@ TEST(SkyIrradiance, IsThatOfTheSolvedLightAtTheGround) {
     const SkyLight light(test::preset_atmosphere("earth_hillaire"), SkyOrders::all, {}, {});
     for (const double mu : {1.0, 0.5, 0.1, 0.0, -0.05}) {
         const Spectrum wanted = light.higher_orders()->sky_irradiance(mu);
-        const Spectrum found = sky_irradiance(light, 0, mu, {16});
+        const Spectrum found = sky_irradiances(light, 0, {mu}, {16}).front();
         for (std::size_t c = 0; c < 3; ++c) {
             // It looks in few directions: haze about a high sun costs it a thousandth of sunlight.
             EXPECT_NEAR(found[c], wanted[c], 0.004 * wanted[c] + 1e-3) << mu;
@@ -141,7 +144,8 @@ TEST(SkyIrradiance, HasAzimuthsForTheDegreeOfLightScatteredBefore) {
             make_sky_medium(test::preset_atmosphere("earth_hillaire", {"atmosphere.top_radius="
                                                                        "'6361 km'"})),
             SkyOrders::multiple, std::make_unique<TwelveFold>(share));
-        return sky_irradiance(light, 0, 0.5, {.single = 4, .zenith_angles = 6, .azimuths = 3});
+        return sky_irradiances(light, 0, {0.5}, {.single = 4, .zenith_angles = 6, .azimuths = 3})
+            .front();
     };
     const Spectrum with = irradiance(1);
     const Spectrum without = irradiance(0);
@@ -169,9 +173,9 @@ TEST(SkyIrradiance, PeaksBelongToTheSkyOrToTheSun) {
         const Spectrum sun = sun_irradiance(light, 0.2, mu);
         const Spectrum sun_of_once = sun_irradiance(once, 0.2, mu);
         EXPECT_GT(sun_of_once[1], 1.05 * sun[1]);
-        const Spectrum found = sun + sky_irradiance(light, 0.2, mu, nodes);
-        const Spectrum wanted = sun_of_once + sky_irradiance(once, 0.2, mu, nodes) +
-                                sky_irradiance(rest, 0.2, mu, nodes);
+        const Spectrum found = sun + sky_irradiances(light, 0.2, {mu}, nodes).front();
+        const Spectrum wanted = sun_of_once + sky_irradiances(once, 0.2, {mu}, nodes).front() +
+                                sky_irradiances(rest, 0.2, {mu}, nodes).front();
         for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(found[c], wanted[c], 1e-9) << mu;
     }
 }
@@ -189,7 +193,7 @@ TEST(SkyIrradiance, IsTheSameWhateverCountsAsPeak) {
     for (const int degree : {16, 32}) {
         const SkyLight light(delta_scaled(haze, degree), SkyOrders::all, nullptr);
         sums.push_back(sun_irradiance(light, 0, 0.6)[0] +
-                       sky_irradiance(light, 0, 0.6, {.single = 28})[0]);
+                       sky_irradiances(light, 0, {0.6}, {.single = 28}).front()[0]);
     }
     EXPECT_NEAR(sums[0], sums[1], 1e-3);
 }

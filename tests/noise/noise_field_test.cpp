@@ -148,48 +148,6 @@ TEST(NoiseSpecification, PerlinIsZeroAtLatticePoints) {
     EXPECT_NE(noise_at(plan, {1, 1, 1})[0], 0);
 }
 
-TEST(NoiseSpecification, FbmOfOneOctaveIsTheOctave) {
-    const NoisePlan plan =
-        make_noise_plan(test::noise_of({test::perlin({{4, 4, 4}})}), {16, 16, 16});
-    const GradientOctave& octave = plan.channels[0].gradient.octaves[0];
-    EXPECT_EQ(octave.amplitude, 1);
-    for (int i = 0; i < 16; ++i) {
-        const Voxel voxel = {i, 15 - i, 3};
-        EXPECT_EQ(noise_at(plan, voxel)[0],
-                  gradient_octave_at(plan.axes, octave, voxel) * 0.5f + 0.5f);
-    }
-}
-
-// Second-order central differences of the kernels' voxels: h^2 / 6 of third derivatives, which for
-// 64 voxels a cell is about a percent of first ones, remains.
-TEST(NoiseField, CurlOfVoxelsHasNoDivergence) {
-    using config::CurlComponent;
-    constexpr int kSize = 256;
-    const NoisePlan plan =
-        make_noise_plan(test::noise_of({test::curl({{4, 4, 4}}, CurlComponent::x),
-                                        test::curl({{4, 4, 4}}, CurlComponent::y),
-                                        test::curl({{4, 4, 4}}, CurlComponent::z)}),
-                        {kSize, kSize, kSize});
-    const VoxelBox box{{0, 64, 100}, {kSize, 64, 3}};
-    const test::Planes curl = test::filled(NoiseField(plan), box, 3);
-    const auto at = [&](std::size_t component, int x, int y, int z) {
-        return double{curl[component][static_cast<std::size_t>((z * 64 + y) * kSize + x)]};
-    };
-    double divergence = 0;
-    double slopes = 0;
-    for (int y = 1; y < 63; ++y) {
-        for (int x = 1; x < kSize - 1; ++x) {
-            const double dx = at(0, x + 1, y, 1) - at(0, x - 1, y, 1);
-            const double dy = at(1, x, y + 1, 1) - at(1, x, y - 1, 1);
-            const double dz = at(2, x, y, 2) - at(2, x, y, 0);
-            divergence += (dx + dy + dz) * (dx + dy + dz);
-            slopes += dx * dx + dy * dy + dz * dz;
-        }
-    }
-    EXPECT_GT(slopes, 0);
-    EXPECT_LT(std::sqrt(divergence / slopes), 0.01);
-}
-
 // Where cells have four voxels or more, the voxels of a block share points (bump_kernel.h). Boxes begin
 // and end anywhere; a cell may be the whole tile, and points may move.
 TEST(Alligator, EqualsTheSpecificationWhereCellsAreWide) {

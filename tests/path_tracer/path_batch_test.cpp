@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tests/path_tracer/path_media.h"
+#include "tests/path_tracer/single_path.h"
 #include "tests/support/every_target.h"
 
 namespace skybake {
@@ -49,33 +50,34 @@ PathStart start_of(const Scene& scene, std::size_t path) {
     return start;
 }
 
-std::vector<PathResult> walk_singly(const PathWalker& walker, const Scene& scene,
+std::vector<PathResult> walk_singly(const PathMedium& medium, const Scene& scene,
                                     const ScrambledPoints* points, std::size_t count) {
+    const test::SinglePath path(medium);
     std::vector<PathResult> results(count);
     const std::vector<RandomStream> random = streams(count);
     for (std::size_t i = 0; i < count; ++i) {
-        PathNumbers numbers =
-            points != nullptr ? PathNumbers(*points, 7 + static_cast<std::uint32_t>(i), random[i])
-                              : PathNumbers(random[i]);
+        test::PathNumbers numbers =
+            points != nullptr
+                ? test::PathNumbers(*points, 7 + static_cast<std::uint32_t>(i), random[i])
+                : test::PathNumbers(random[i]);
         const PathStart start = start_of(scene, i);
-        results[i].second_flight =
-            walker.walk(scene.source, start, walker.first_flight(start, scene.rules), scene.rules,
-                        hero_of(scene, i), numbers, results[i].light);
+        results[i].second_flight = path.walk(scene.source, start, scene.rules, hero_of(scene, i),
+                                             numbers, results[i].light);
     }
     return results;
 }
 
-std::vector<PathResult> walk_together(const PathWalker& walker, const Scene& scene,
+std::vector<PathResult> walk_together(const PathMedium& medium, const Scene& scene,
                                       const ScrambledPoints* points, std::size_t count) {
     PathBatch batch(points != nullptr ? BatchNumbers(*points, 7, streams(count))
                                       : BatchNumbers(streams(count)));
-    const PathWalker::Flight first = walker.first_flight(scene.start, scene.rules);
+    const PathMedium::Flight first = medium.first_flight(scene.start, scene.rules);
     if (scene.one_start) batch.first = &first;
     for (std::size_t i = 0; i < count; ++i) {
         batch.heroes[i] = hero_of(scene, i);
         batch.starts[i] = start_of(scene, i);
     }
-    walk_batch(walker, scene.source, scene.rules, batch);
+    walk_batch(medium, scene.source, scene.rules, batch);
     std::vector<PathResult> results(count);
     for (std::size_t i = 0; i < count; ++i) {
         results[i] = {batch.light[i], batch.second_flight[i]};
@@ -176,13 +178,13 @@ TEST(PathBatch, WalksAsPathsWalkSingly) {
     const ScrambledPoints points(1, 2, 3);
     std::int64_t flights = 0;
     for (const Scene& scene : scenes()) {
-        const PathWalker walker(scene.medium);
+        const PathMedium medium(scene.medium);
         for (const ScrambledPoints* even :
              {&points, static_cast<const ScrambledPoints*>(nullptr)}) {
-            const std::vector<PathResult> expected = walk_singly(walker, scene, even, kPaths);
+            const std::vector<PathResult> expected = walk_singly(medium, scene, even, kPaths);
             flights += sum_of(expected).flights;
             test::on_every_target([&](const char* target) {
-                const std::vector<PathResult> found = walk_together(walker, scene, even, kPaths);
+                const std::vector<PathResult> found = walk_together(medium, scene, even, kPaths);
                 EXPECT_EQ(first_difference(found, expected), kPaths)
                     << scene.name << ", " << target;
             });
@@ -195,11 +197,11 @@ TEST(PathBatch, WalksAsPathsWalkSingly) {
 TEST(PathBatch, MayHaveAnyNumberOfPaths) {
     constexpr std::size_t kPaths = BatchNumbers::kPaths;
     const Scene scene = {"earth", test::sky_medium("earth"), sun_at(85), {}, view_at(0, 88)};
-    const PathWalker walker(scene.medium);
-    const std::vector<PathResult> all = walk_singly(walker, scene, nullptr, kPaths);
+    const PathMedium medium(scene.medium);
+    const std::vector<PathResult> all = walk_singly(medium, scene, nullptr, kPaths);
     EXPECT_GT(sum_of(all).orders[5][0], 0);
     for (std::size_t count = 1; count <= kPaths; count += 7) {
-        const std::vector<PathResult> found = walk_together(walker, scene, nullptr, count);
+        const std::vector<PathResult> found = walk_together(medium, scene, nullptr, count);
         EXPECT_EQ(first_difference(found, all), count);
     }
 }
@@ -210,7 +212,7 @@ TEST(BatchNumbers, AreThoseOfEachPath) {
         for (const std::uint32_t first : {0U, 9U, 64U, 123456789U}) {
             const ScrambledPoints points(3, 4, 5);
             BatchNumbers batch(points, first, streams(count));
-            std::vector<PathNumbers> single;
+            std::vector<test::PathNumbers> single;
             for (std::size_t i = 0; i < count; ++i) {
                 single.emplace_back(points, first + static_cast<std::uint32_t>(i),
                                     streams(count)[i]);

@@ -6,9 +6,12 @@
 #include <vector>
 
 #include "bakers/light/path_tracer/path_numbers.h"
+#include "tests/path_tracer/single_path.h"
 
 namespace skybake {
 namespace {
+
+using test::PathNumbers;
 
 // Random123's kat_vectors for philox4x32, 10 rounds.
 TEST(RandomNumbers, ArePhilox) {

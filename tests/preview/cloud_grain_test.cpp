@@ -9,7 +9,8 @@
 
 #include "bakers/render/cloud_camera.h"
 #include "tests/preview/clouds.h"
-#include "tests/support/cloud_view_reference.h"
+#include "tests/support/cloud_marches.h"
+#include "tests/support/scene_reference.h"
 
 namespace skybake {
 namespace {
@@ -73,15 +74,15 @@ Image2<double> marched(const CloudMedium& medium, const MarchSettings& settings)
     return sunlight;
 }
 
-// The same by sums of 192 midpoints, without jitter.
+// The same by sums of 768 midpoints, and of 192 towards the sun, without jitter.
 Image2<double> in_short_steps(const CloudMedium& medium, const MarchSettings& settings) {
-    const DiffuseShare diffuse = diffuse_share(medium, 4, 1);
     const CameraRays rays(settings.camera, kWidth, kHeight);
     Image2<double> sunlight(kWidth, kHeight, 1);
     for (int y = 0; y < kHeight; ++y) {
         for (int x = 0; x < kWidth; ++x) {
-            const ReferenceRay ray =
-                reference_ray(medium, diffuse, settings, rays.through(x, y), 192);
+            const ReferenceLayer ray = reference_scene({settings.layer(medium)}, settings.sun,
+                                                       settings.camera, rays.through(x, y), 768)
+                                           .layers[0];
             *sunlight.texel(x, y) = ray.sun_at_base + ray.sun_at_top;
         }
     }

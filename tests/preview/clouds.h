@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bakers/field/image.h"
+#include "bakers/march/cloud_medium.h"
 #include "tests/occupancy/volumes_in_memory.h"
 
 namespace skybake::test {
@@ -18,6 +19,17 @@ inline config::Cloud cloud_of(const std::array<double, 3>& extent_m, double base
     cloud.base_altitude.meters = base_m;
     cloud.extinction_scale.per_meter = 0.01;
     return cloud;
+}
+
+// The medium of such a volume.
+inline CloudMedium medium_of(const std::array<double, 3>& extent_m, double base_m,
+                             const std::array<int, 3>& size, const std::vector<float>& voxels,
+                             double extinction_per_m = 0.01, int cell = 2) {
+    config::Cloud cloud = cloud_of(extent_m, base_m);
+    cloud.extinction_scale.per_meter = extinction_per_m;
+    CloudMedium medium = cloud_medium(cloud, voxels.data(), size, 1, 1);
+    medium.leaps = leaps_of_voxels(medium, cell, 1);
+    return medium;
 }
 
 // In [0, 1): `filled` of them, in clumps, are not 0.

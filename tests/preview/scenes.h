@@ -12,16 +12,6 @@
 
 namespace skybake::test {
 
-inline CloudMedium medium_of(const std::array<double, 3>& extent_m, double base_m,
-                             const std::array<int, 3>& size, const std::vector<float>& voxels,
-                             double extinction_per_m = 0.01) {
-    config::Cloud cloud = cloud_of(extent_m, base_m);
-    cloud.extinction_scale.per_meter = extinction_per_m;
-    CloudMedium medium = cloud_medium(cloud, voxels.data(), size, 1, 1);
-    medium.leaps = leaps_of_voxels(medium, 2, 1);
-    return medium;
-}
-
 inline CloudMedium clumps(const std::array<double, 3>& extent_m, double base_m,
                           const std::array<int, 3>& size, std::uint32_t seed, double filled = 0.3) {
     return medium_of(extent_m, base_m, size, clumped_voxels(size, seed, filled));

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "bakers/air/medium.h"
-#include "bakers/light/path_tracer/path_walk.h"
+#include "bakers/light/path_tracer/path_medium.h"
 
 namespace skybake {
 

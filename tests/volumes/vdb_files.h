@@ -39,6 +39,42 @@ inline FloatGrid::Ptr any_grid(float background = 0) {
     return grid;
 }
 
+// Tiles of 128, 4096 and 8 voxels.
+inline FloatGrid::Ptr tiles_of_every_size() {
+    FloatGrid::Ptr grid = FloatGrid::create(0);
+    grid->setName("density");
+    grid->tree().addTile(2, Coord(128, 0, 0), 0.25F, true);
+    grid->tree().addTile(3, Coord(-4096, 0, 0), 0.5F, true);
+    grid->tree().addTile(1, Coord(0, 0, 0), 0.75F, true);
+    return grid;
+}
+
+// any_grid() with voxels of 0.5, and what `change` makes of its transform.
+template <class Change>
+FloatGrid::Ptr transformed_grid(const Change& change) {
+    FloatGrid::Ptr grid = any_grid();
+    const auto transform = openvdb::math::Transform::createLinearTransform(0.5);
+    change(*transform);
+    grid->setTransform(transform);
+    return grid;
+}
+
+// Voxels of 2 x 3 x 4, the centre of voxel (0, 0, 0) at (10, 20, 30).
+inline FloatGrid::Ptr scaled_and_moved_grid() {
+    return transformed_grid([](openvdb::math::Transform& transform) {
+        transform.preScale(openvdb::Vec3d(4, 6, 8));
+        transform.postTranslate(openvdb::Vec3d(10, 20, 30));
+    });
+}
+
+// Returns what a reader says of a file that it refuses; empty where it opens the file.
+inline std::string reason_of(const config::Outcome<FileVoxels>& voxels) {
+    if (voxels.value) return "";
+    const std::string& message = voxels.diagnostics.at(0).message;
+    const std::size_t at = message.find(" file: ");
+    return at == std::string::npos ? message : message.substr(at + 7);
+}
+
 inline void write_grid(const openvdb::GridBase::Ptr& grid, const std::filesystem::path& path,
                        std::uint32_t compression = openvdb::io::COMPRESS_BLOSC |
                                                    openvdb::io::COMPRESS_ACTIVE_MASK) {

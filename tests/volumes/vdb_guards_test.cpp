@@ -44,17 +44,10 @@ std::size_t tree_of(const std::string& bytes, float background) {
     return place_of(bytes, head);
 }
 
-std::string reason_of(const std::string& message) {
-    const std::string words = "as a VDB file: ";
-    const std::size_t at = message.find(words);
-    return at == std::string::npos ? message : message.substr(at + words.size());
-}
-
 std::string problem_of(const std::string& bytes, const std::string& grid = "density") {
     const TemporaryFolder folder;
     write_bytes(folder / "v.vdb", bytes);
-    const auto voxels = open_vdb_grid(folder / "v.vdb", grid, VolumePart::voxels);
-    return voxels.value ? "" : reason_of(voxels.diagnostics.at(0).message);
+    return testing::reason_of(open_vdb_grid(folder / "v.vdb", grid, VolumePart::voxels));
 }
 
 std::string bytes_of(const openvdb::GridBase::Ptr& grid, std::uint32_t compression = kMasked) {

@@ -112,10 +112,6 @@ Texel ScatteringContent::texel(const ScatteringParts& parts) const {
     return texel;
 }
 
-Spectrum ScatteringContent::radiance(const ScatteringParts& parts, double nu) const {
-    return (parts.air + parts.higher) * rayleigh_phase(nu) + parts.mie * mie_phase(nu);
-}
-
 Spectrum ScatteringContent::radiance(const Texel& texel, double nu) const {
     const Spectrum mie = mie_phase(nu);
     const Spectrum phase = table_ == BrunetonTable::single_mie ? mie : Spectrum(rayleigh_phase(nu));

@@ -61,9 +61,6 @@ class ScatteringContent {
     // Returns the value of A where it holds no light.
     double constant_alpha() const { return constant_alpha_; }
 
-    // Returns the radiance in 1/sr that a runtime computes from the parts.
-    Spectrum radiance(const ScatteringParts& parts, double nu) const;
-
     // Returns the radiance in 1/sr that a runtime computes from a looked-up texel of this table. The
     // colours of the Mie layers' light, of which a combined table holds the red alone, follow from
     // the other layers' as in Bruneton's implementation.

@@ -22,7 +22,7 @@ Spectrum first_order(const SkyMedium& medium, const SkySample& sample) {
 // Returns the light that comes straight from the sun onto a level surface.
 Spectrum sunlight_on(const TracedAir& air, const LevelSample& at) {
     if (!(at.sun.cosine > 0)) return {};
-    const AirShells& shells = air.tracer().walker().air();
+    const AirShells& shells = air.tracer().medium().air();
     const double r = shells.planet().ground_radius_km + at.altitude_km;
     return at.sun.cosine *
            shells.sunlight(at.altitude_km, r * at.sun.cosine, shells.shell_at(at.altitude_km));

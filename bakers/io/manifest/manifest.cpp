@@ -101,10 +101,6 @@ std::string ClaimedFiles::name_of(const std::filesystem::path& file) {
     return file.lexically_normal().string();
 }
 
-bool claims(const Manifest& manifest, const std::filesystem::path& file) {
-    return ClaimedFiles(manifest).hold(file);
-}
-
 std::vector<RetiredFile> files_no_longer_made(const Manifest& previous, const Manifest& fresh) {
     const ClaimedFiles made(fresh);
     std::vector<RetiredFile> retired;

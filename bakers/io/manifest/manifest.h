@@ -171,9 +171,6 @@ std::vector<RetiredFile> files_no_longer_made(const Manifest& previous, const Ma
 // else.
 Manifest claims_of(const Manifest& manifest);
 
-// Whether the manifest lists the file (a path relative to its folder) or is that file itself.
-bool claims(const Manifest& manifest, const std::filesystem::path& file);
-
 // Returns the JSON Schema that the texts of manifest_json satisfy.
 std::string manifest_schema();
 

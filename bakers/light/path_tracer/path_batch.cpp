@@ -14,7 +14,7 @@ HWY_BEFORE_NAMESPACE();
 namespace skybake::HWY_NAMESPACE {
 
 // The paths of one batch with the events at which light is gathered and scattered. Names are those of
-// path_walk.cpp.
+// tests/path_tracer/single_path.h.
 class Walk : public PathFlights {
   public:
     using PathFlights::PathFlights;
@@ -38,7 +38,7 @@ class Walk : public PathFlights {
   private:
     // Finds the layers' densities and scattering where the paths are.
     void look_around() {
-        const auto& scatterers = walker_.scatterers();
+        const auto& scatterers = medium_.scatterers();
         for (std::size_t i = 0; i < count_; ++i) {
             if (is_on_ground(i)) continue;
             Channels sum(0.0);
@@ -55,7 +55,7 @@ class Walk : public PathFlights {
 
     // Computes the phase functions at one angle of each path.
     void look_at_angles() {
-        const auto& scatterers = walker_.scatterers();
+        const auto& scatterers = medium_.scatterers();
         for (std::size_t k = 0; k < scatterers.size(); ++k) {
             const auto& functions = scatterers[k].phase.functions;
             for (std::size_t c = 0; c < functions.size(); ++c) {
@@ -80,7 +80,7 @@ class Walk : public PathFlights {
 
     // Sum of sigma_s p over layers.
     Channels towards(std::size_t i) const {
-        const auto& scatterers = walker_.scatterers();
+        const auto& scatterers = medium_.scatterers();
         Channels sum(0.0);
         for (std::size_t k = 0; k < scatterers.size(); ++k) {
             const Channels scattering(scatterers[k].scattering_per_km);
@@ -136,7 +136,7 @@ class Walk : public PathFlights {
                 choose_scatterer(i, number);
             }
         }
-        for (std::size_t k = 0; k < walker_.scatterers().size(); ++k) scatter_by(k);
+        for (std::size_t k = 0; k < medium_.scatterers().size(); ++k) scatter_by(k);
         look_at_angles();
         for (std::size_t i = 0; i < count_; ++i) {
             if (ended_[i] || is_on_ground(i)) continue;
@@ -157,7 +157,7 @@ class Walk : public PathFlights {
 
     // Chooses what scatters by the first part of a number; what is left of it chooses the angle.
     void choose_scatterer(std::size_t i, double number) {
-        const auto& scatterers = walker_.scatterers();
+        const auto& scatterers = medium_.scatterers();
         const std::size_t hero = hero_of(i);
         double left = number * scattering_.at(i, hero);
         std::size_t chosen = 0;
@@ -175,7 +175,7 @@ class Walk : public PathFlights {
 
     // Chooses the angles of the paths that one of the scatterers scatters.
     void scatter_by(std::size_t scatterer) {
-        const LayerPhase& phase = walker_.scatterers()[scatterer].phase;
+        const LayerPhase& phase = medium_.scatterers()[scatterer].phase;
         std::size_t paths[PathBatch::kPaths];
         std::size_t count = 0;
         for (std::size_t i = 0; i < count_; ++i) {
@@ -224,9 +224,9 @@ class Walk : public PathFlights {
     }
 };
 
-void WalkBatch(const PathWalker& walker, const PathSource& source, const PathRules& rules,
+void WalkBatch(const PathMedium& medium, const PathSource& source, const PathRules& rules,
                PathBatch& batch) {
-    Walk(walker, source, rules, batch).walk();
+    Walk(medium, source, rules, batch).walk();
 }
 
 }  // namespace skybake::HWY_NAMESPACE
@@ -237,9 +237,9 @@ namespace skybake {
 
 HWY_EXPORT(WalkBatch);
 
-void walk_batch(const PathWalker& walker, const PathSource& source, const PathRules& rules,
+void walk_batch(const PathMedium& medium, const PathSource& source, const PathRules& rules,
                 PathBatch& batch) {
-    HWY_DYNAMIC_DISPATCH(WalkBatch)(walker, source, rules, batch);
+    HWY_DYNAMIC_DISPATCH(WalkBatch)(medium, source, rules, batch);
 }
 
 }  // namespace skybake

@@ -1,18 +1,18 @@
-// Many paths of light at once: what PathWalker::walk does with one, in stages that all paths take
+// Many paths of light at once: what SinglePath::walk does with one, in stages that all paths take
 // together.
 //
 // No path waits for its own last stage while others can go on, geometry and angles are computed for
 // a vector of paths at a time, and packets of wavelengths, which fill a vector, path by path. Paths
 // that have ended are removed before each flight, so that the rest stays dense. Every number of a
-// path is that of PathWalker::walk, which is the specification, whatever the instruction set and the
+// path is that of SinglePath::walk, which is the specification, whatever the instruction set and the
 // other paths of the batch.
 #pragma once
 
 #include <array>
 #include <cstddef>
 
+#include "bakers/light/path_tracer/path_medium.h"
 #include "bakers/light/path_tracer/path_numbers.h"
-#include "bakers/light/path_tracer/path_walk.h"
 
 namespace skybake {
 
@@ -25,7 +25,7 @@ struct PathBatch {
     std::array<std::size_t, kPaths> heroes{};
     std::array<PathStart, kPaths> starts;
     // The first flight, if all paths share their start; else null, and starts have no length limit.
-    const PathWalker::Flight* first = nullptr;
+    const PathMedium::Flight* first = nullptr;
 
     // The results of walk_batch.
     std::array<PathLight, kPaths> light;
@@ -33,7 +33,7 @@ struct PathBatch {
 };
 
 // Walks the paths of a batch, as many as there are numbers for.
-void walk_batch(const PathWalker& walker, const PathSource& source, const PathRules& rules,
+void walk_batch(const PathMedium& medium, const PathSource& source, const PathRules& rules,
                 PathBatch& batch);
 
 }  // namespace skybake

@@ -1,5 +1,5 @@
 // The flights of a batch of paths: how they begin, how far they go, and where they end. Names are those
-// of path_walk.cpp.
+// of tests/path_tracer/single_path.h.
 #if defined(SKYBAKE_BAKERS_LIGHT_PATH_TRACER_PATH_FLIGHTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SKYBAKE_BAKERS_LIGHT_PATH_TRACER_PATH_FLIGHTS_INL_H_
 #undef SKYBAKE_BAKERS_LIGHT_PATH_TRACER_PATH_FLIGHTS_INL_H_
@@ -48,7 +48,7 @@ class PathFlights : public PathState {
         }
     }
 
-    void set_flight(std::size_t i, const PathWalker::Flight& flight) {
+    void set_flight(std::size_t i, const PathMedium::Flight& flight) {
         columns_.s_km[i] = flight.s_km;
         columns_.falls[i] = flight.falls ? 1 : 0;
         columns_.hits_ground[i] = flight.hits_ground ? 1 : 0;
@@ -71,7 +71,7 @@ class PathFlights : public PathState {
             lowest_altitude_km_.store(i, line.lowest_altitude_km);
             lowest_s_km_.store(i, line.lowest_s_km);
         }
-        const Channels albedo(walker_.medium().air.ground_albedo);
+        const Channels albedo(medium_.sky().air.ground_albedo);
         for (std::size_t i = 0; i < count_; ++i) {
             const Channels from = depth_to_top(air_, columns_.altitude_km[i],
                                                std::fabs(columns_.s_km[i]), shell_of(i));

@@ -83,36 +83,8 @@ class ScrambledPoints {
     std::array<std::uint32_t, kDimensions> seeds_{};
 };
 
-// The numbers of one path. Its choices take them in the same order in all paths, so that a number
-// has the same meaning in each.
-class PathNumbers {
-  public:
-    // All numbers are random.
-    explicit PathNumbers(const RandomStream& random) : random_(random) {}
-    // The first numbers are the coordinates of a point. `points` must outlive this.
-    PathNumbers(const ScrambledPoints& points, std::uint32_t point, const RandomStream& random)
-        : points_(&points), point_(point), random_(random) {}
-
-    // Returns the next number, in (0, 1).
-    double next() {
-        if (points_ == nullptr || dimension_ == ScrambledPoints::kDimensions) return random_.next();
-        return points_->coordinate(point_, dimension_++);
-    }
-    // Leaves a number out that this path has no use for.
-    void skip() {
-        if (points_ != nullptr && dimension_ < ScrambledPoints::kDimensions) ++dimension_;
-    }
-    // Numbers for choices that not every path has.
-    RandomStream& random() { return random_; }
-
-  private:
-    const ScrambledPoints* points_ = nullptr;
-    std::uint32_t point_ = 0;
-    std::size_t dimension_ = 0;
-    RandomStream random_;
-};
-
-// PathNumbers of many paths that take each number together.
+// The numbers of many paths that take each number together. Their choices take them in the same order
+// in all paths, so that a number has the same meaning in each.
 class BatchNumbers {
   public:
     static constexpr std::size_t kPaths = 64;  // at most

@@ -72,17 +72,17 @@ struct PathPackets {
 // The paths of a batch that go on, and what is common to the stages that they take.
 class PathState {
   public:
-    PathState(const PathWalker& walker, const PathSource& source, const PathRules& rules,
+    PathState(const PathMedium& medium, const PathSource& source, const PathRules& rules,
               PathBatch& batch)
-        : walker_(walker),
-          air_(walker.air().tables()),
+        : medium_(medium),
+          air_(medium.air().tables()),
           source_(source),
           rules_(rules),
           batch_(batch),
           numbers_(batch.numbers),
-          channels_(static_cast<double>(walker.medium().air.channels)),
-          density_(walker.scatterers().size()),
-          phase_(walker.scatterers().size() * kChannelSlots) {}
+          channels_(static_cast<double>(medium.sky().air.channels)),
+          density_(medium.scatterers().size()),
+          phase_(medium.scatterers().size() * kChannelSlots) {}
 
   protected:
     std::size_t number_of(std::size_t i) const {
@@ -133,7 +133,7 @@ class PathState {
         (Channels(gathered) + light).store(data(gathered));
     }
 
-    const PathWalker& walker_;
+    const PathMedium& medium_;
     const AirTables& air_;
     const PathSource& source_;
     const PathRules& rules_;

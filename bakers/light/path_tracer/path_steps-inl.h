@@ -1,4 +1,4 @@
-// The arithmetic of path_walk.h, each formula once: for one path, or for a vector of paths. Real is
+// The arithmetic of path_medium.h, each formula once: for one path, or for a vector of paths. Real is
 // double or Lanes.
 #if defined(SKYBAKE_BAKERS_LIGHT_PATH_TRACER_PATH_STEPS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SKYBAKE_BAKERS_LIGHT_PATH_TRACER_PATH_STEPS_INL_H_

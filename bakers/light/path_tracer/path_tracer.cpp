@@ -33,13 +33,13 @@ constexpr std::uint64_t kPilotAddress = std::uint64_t{1} << 63;
 enum class Aperture { ray, sphere, level_surface };
 
 struct Sensor {
-    const PathWalker& walker;
+    const PathMedium& medium;
     PathSource source;
     PathStart start;
     Aperture aperture;
     PathRules rules;
     const PathTracerSettings& settings;
-    PathWalker::Flight first{};  // of all paths, if they begin in one direction
+    PathMedium::Flight first{};  // of all paths, if they begin in one direction
 };
 
 ScatteringAngle zenith_angle(Aperture aperture, double share) {
@@ -67,11 +67,11 @@ void set_starts(const Sensor& sensor, PathBatch& batch) {
 
 void walk(const Sensor& sensor, PathBatch& batch) {
     set_starts(sensor, batch);
-    walk_batch(sensor.walker, sensor.source, sensor.rules, batch);
+    walk_batch(sensor.medium, sensor.source, sensor.rules, batch);
 }
 
 std::size_t channels_of(const Sensor& sensor) {
-    return static_cast<std::size_t>(sensor.walker.medium().air.channels);
+    return static_cast<std::size_t>(sensor.medium.sky().air.channels);
 }
 
 RandomStream random_of(const Sensor& sensor, std::uint64_t path) {
@@ -179,7 +179,7 @@ PathTracedRadiance mean_of_replicates(const std::vector<PathLight>& replicates,
 
 PathTracedRadiance trace(Sensor sensor, int threads) {
     if (sensor.aperture == Aperture::ray) {
-        sensor.first = sensor.walker.first_flight(sensor.start, sensor.rules);
+        sensor.first = sensor.medium.first_flight(sensor.start, sensor.rules);
     }
     sensor.rules.usual_weight = usual_weight(sensor);
     const std::int64_t paths = (sensor.settings.paths + kReplicates - 1) / kReplicates;
@@ -237,7 +237,7 @@ PathTracedRadiance trace_paths(const PathTracer& tracer, double altitude_km, con
                                const SkyDirection& direction, const PathTracerSettings& settings,
                                int threads) {
     assert(settings.paths >= 1);
-    const SkyMedium& medium = tracer.walker().medium();
+    const SkyMedium& medium = tracer.medium().sky();
     const CameraRay ray = camera_ray(shell_of(medium.air), altitude_km, sun, direction);
     const double length_km = settings.length_km - ray.distance_km;
     const bool meets_air = ray.in_air.length_km > 0 || ray.in_air.meets_ground;
@@ -245,7 +245,7 @@ PathTracedRadiance trace_paths(const PathTracer& tracer, double altitude_km, con
     const bool walks_first = !settings.deterministic_first_order || settings.sun_radius > 0;
     PathStart start = {{0, 0, 1}, view_vector(sun, direction), ray.in_air.altitude_km, length_km};
     start.up = up_at(shell_of(medium.air), altitude_km, ray.distance_km, start.direction);
-    PathTracedRadiance result = trace({tracer.walker(),
+    PathTracedRadiance result = trace({tracer.medium(),
                                        {false, sun_vector(sun), settings.sun_radius},
                                        start,
                                        Aperture::ray,
@@ -273,7 +273,7 @@ PathTracedRadiance walk_all(const PathTracer& tracer, const PathSource& source,
                             const PathTracerSettings& settings, int threads) {
     assert(settings.paths >= 1);
     return trace(
-        {tracer.walker(), source, start, aperture, {true, settings.include_seen_ground}, settings},
+        {tracer.medium(), source, start, aperture, {true, settings.include_seen_ground}, settings},
         threads);
 }
 

@@ -12,7 +12,7 @@
 #include <limits>
 
 #include "bakers/air/medium.h"
-#include "bakers/light/path_tracer/path_walk.h"
+#include "bakers/light/path_tracer/path_medium.h"
 #include "bakers/light/sky_ray.h"
 
 namespace skybake {
@@ -56,11 +56,11 @@ Spectrum standard_error_of(const std::array<Spectrum, kPathReplicates>& replicat
 class PathTracer {
   public:
     // `medium` must outlive it.
-    explicit PathTracer(const SkyMedium& medium) : walker_(medium) {}
-    const PathWalker& walker() const { return walker_; }
+    explicit PathTracer(const SkyMedium& medium) : medium_(medium) {}
+    const PathMedium& medium() const { return medium_; }
 
   private:
-    PathWalker walker_;
+    PathMedium medium_;
 };
 
 // Returns the radiance along one ray. A ray from space that passes above the air sees nothing.

@@ -1,4 +1,4 @@
-// One path of light, walked backwards from the eye.
+// Paths of light, walked backwards from the eye: how they are weighted, and where they may begin.
 //
 // All channels share a path. One channel, the hero, which is chosen at random, draws distances and
 // directions; the other channels' contributions are weighted by the balance heuristic over heroes
@@ -69,10 +69,11 @@ struct PathRules {
 // radius].
 glm::dvec3 sample_sun(const PathSource& source, RandomStream& random);
 
-class PathWalker {
+// The air and the ground, as paths meet them.
+class PathMedium {
   public:
     // `medium` must outlive it.
-    explicit PathWalker(const SkyMedium& medium);
+    explicit PathMedium(const SkyMedium& medium);
 
     struct Scatterer {
         int layer;
@@ -94,40 +95,19 @@ class PathWalker {
     };
     Flight first_flight(const PathStart& start, const PathRules& rules) const;
 
-    // `first` is the start's first flight, `hero` the channel that draws, which all channels must be
-    // equally likely to be. Returns the weight with which the path began its second flight.
-    Spectrum walk(const PathSource& source, const PathStart& start, const Flight& first,
-                  const PathRules& rules, std::size_t hero, PathNumbers& numbers,
-                  PathLight& light) const;
+    // Returns the depth from the flight's start to a point of its line.
+    Spectrum depth_up_to(const Flight& flight, const AirShells::Point& end, bool still_falls) const;
 
-    const SkyMedium& medium() const { return medium_; }
+    const SkyMedium& sky() const { return medium_; }
     const AirShells& air() const { return air_; }
     const std::vector<Scatterer>& scatterers() const { return scatterers_; }
 
   private:
-    struct State;
-    struct Here;
-    Flight begin_flight(const State& state) const;
-    State begin(const PathStart& start) const;
-    Spectrum depth_up_to(const Flight& flight, const AirShells::Point& end, bool still_falls) const;
-    void cut_flight(const State& start, double length_km, Flight& flight) const;
-    Spectrum move(const Flight& flight, double depth, State& state) const;
-    Here look_around(const State& state) const;
-    Spectrum towards(const Here& here, const ScatteringAngle& angle) const;
-    ScatteringAngle choose_angle(const Here& here, std::size_t hero, PathNumbers& numbers) const;
-    void arrive_in_air(const Flight& flight, double scattered_share, State& state) const;
-    bool collide(const PathSource& source, bool counts, State& state, PathNumbers& numbers,
-                 PathLight& light) const;
-    void arrive_on_ground(const Flight& flight, State& state) const;
-    void reflect(const PathSource& source, bool counts, State& state, PathNumbers& numbers,
-                 PathLight& light) const;
-    bool survives(const Spectrum& worth, const Spectrum& usual, State& state,
-                  PathNumbers& numbers) const;
+    Flight begin_flight(const PathStart& start) const;
+    void cut_flight(const PathStart& start, Flight& flight) const;
 
     const SkyMedium& medium_;
     AirShells air_;
-    Spectrum ground_albedo_;
-    std::size_t channels_;
     std::vector<Scatterer> scatterers_;
 };
 
