@@ -243,12 +243,14 @@ void resolve_cloud_light(DecodedSection& bake, const RecipeSoFar& recipe, Decode
         check_clear_sky(bake, volume ? find_cloud(*volume, recipe) : nullptr, recipe, decoder);
     }
     if (volume && contents) derive_pixel_type(bake, *contents, find_cloud(*volume, recipe));
-    if (contents && is_per_sun(*contents)) derive(bake.at("cell"), 2.0);
+    // A chosen size and a cell exclude each other, also in the recipe that a file carries.
+    const bool is_chosen = bake.at("max_error").value.has_value();
+    if (contents && is_per_sun(*contents) && !is_chosen) derive(bake.at("cell"), 2.0);
     check_pixel_type(bake, decoder);
     if (!volume) return;
     check_source_channel(bake, *volume, recipe, decoder);
     const DecodedField& cell = bake.at("cell");
-    if (bake.at("max_error").value) {
+    if (is_chosen) {
         check_chosen_files(bake, "cell", decoder);
         check_channels(bake, channels, decoder);
         return;
