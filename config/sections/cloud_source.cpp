@@ -22,6 +22,16 @@ void report_beside(std::string_view source, const Place& place, const std::strin
                               fmt::format("leave it out, or give noise in place of {}", source));
 }
 
+// A cloud of a volume stands still, and the wind does not carry one that grows.
+void check_time_keys(const DecodedSection& section, std::string_view source, Decoder& decoder) {
+    const bool is_of_volume = source == "volume";
+    const DecodedField& key = section.at(is_of_volume ? "period" : "drift");
+    if (!key.source || !key.value) return;
+    const auto* drift = std::get_if<std::array<double, 2>>(&*key.value);
+    if (drift != nullptr && *drift == std::array{0.0, 0.0}) return;
+    report_beside(source, key.source->place, join_path(section.path, key.field->key), decoder);
+}
+
 void check_noise_keys(const DecodedSection& section, std::string_view source, const Table& table,
                       Decoder& decoder) {
     for (const std::string_view name : noise_tables) {
@@ -29,11 +39,7 @@ void check_noise_keys(const DecodedSection& section, std::string_view source, co
         if (!entry) continue;
         report_beside(source, entry->key_place, join_path(section.path, name), decoder);
     }
-    const DecodedField& period = section.at(source == "volume" ? "period" : "drift");
-    if (period.source) {
-        report_beside(source, period.source->place, join_path(section.path, period.field->key),
-                      decoder);
-    }
+    check_time_keys(section, source, decoder);
     const DecodedField& channels = section.at("channels");
     if (!channels.source || choice_of<CloudChannels>(channels) != CloudChannels::noise) return;
     report_beside(source, channels.source->place, join_path(section.path, "channels"), decoder);
