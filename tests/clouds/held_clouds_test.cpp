@@ -116,6 +116,36 @@ TEST(HeldClouds, AreSharedByEqualMapsOnly) {
     EXPECT_NE(held(shared, with_map("b.png")), first);
 }
 
+// Halves that others read too are held as they were made, whoever makes them.
+TEST(HeldClouds, AreHeldAsHalvesForTheirOwnFileOnly) {
+    const test::CloudCase any = named(test::plain_case({16, 16, 8}));
+    config::CloudVolumeBake bake = bake_of(any);
+    bake.pixel_type = config::PixelType::half;
+    const auto values_of = [](const VoxelSource& source) {
+        std::vector<float> values(16 * 16 * 8);
+        source.fill({{}, {16, 16, 8}}, {values.data()});
+        return values;
+    };
+    Intermediates shared(kPlenty);
+    BakeOptions options = options_with(kPlenty);
+    options.intermediates = &shared;
+    const auto expected = expect(shared, any);
+    for (const int others : {0, 1}) {
+        const auto expected_too = others > 0 ? expect(shared, any) : Intermediates::Expected();
+        const auto outcome = bake_cloud_volume(
+            any.cloud, bake, {&any.base, nullptr, std::nullopt, any.detail_noise(), any.maps, {}},
+            options, {});
+        ASSERT_TRUE(outcome.value);
+        EXPECT_EQ(shared.made(), others);
+        const auto of_file = values_of(*outcome.value->levels.front().voxels);
+        EXPECT_EQ(of_file == values_of(*held(shared, any)), others > 0);
+    }
+    const auto last = bake_cloud_volume(
+        any.cloud, bake, {&any.base, nullptr, std::nullopt, any.detail_noise(), any.maps, {}},
+        options, {});
+    EXPECT_EQ(last.value->levels.front().voxels, held(shared, any));
+}
+
 TEST(HeldClouds, HaveTheBytesOfThoseMadeOnDemand) {
     const test::CloudCase any = test::plain_case({32, 24, 17});
     config::CloudVolumeBake bake = bake_of(any);
