@@ -7,6 +7,7 @@
 
 #include "bakers/field/level.h"
 #include "bakers/math/bake_options.h"
+#include "config/sections/pixel_types.h"
 
 namespace skybake {
 
@@ -18,6 +19,6 @@ namespace skybake {
 std::shared_ptr<const VoxelSource> held_voxels(std::shared_ptr<const VoxelSource> source,
                                                const std::array<int, 3>& size, int channels,
                                                const BakeOptions& options,
-                                               PixelType type = PixelType::float32);
+                                               config::PixelType type = config::PixelType::float32);
 
 }  // namespace skybake
