@@ -248,10 +248,12 @@ ProbePlace texture_place(const UnitPlace& uvw) {
 
 }  // namespace
 
-void hold_voxels(const BakeOptions& options, Baked& volume) {
+void hold_voxels(const BakeOptions& options, Baked& volume, bool as_stored) {
     Level& level = volume.levels.front();
+    const bool as_half = as_stored && volume.pixel_type == PixelType::half;
     level.voxels = held_voxels(std::move(level.voxels), level.size,
-                               static_cast<int>(volume.channel_names.size()), options);
+                               static_cast<int>(volume.channel_names.size()), options,
+                               as_half ? PixelType::half : PixelType::float32);
 }
 
 void add_voxels(const std::array<int, 3>& size, std::shared_ptr<const VoxelSource> voxels,

@@ -21,8 +21,9 @@ namespace skybake {
 struct Baked;
 
 // Has the voxels of level 0 held in memory by the first pass over them, as far as
-// options.held_voxel_bytes allows it. Call it before levels are added.
-void hold_voxels(const BakeOptions& options, Baked& volume);
+// options.held_voxel_bytes allows it. Call it before levels are added. Voxels that nobody reads but who
+// stores them may be held as the file has them, in half of the memory.
+void hold_voxels(const BakeOptions& options, Baked& volume, bool as_stored = false);
 
 // Adds the voxels as a level, whose axes repeat as those of the volume do.
 void add_voxels(const std::array<int, 3>& size, std::shared_ptr<const VoxelSource> voxels,

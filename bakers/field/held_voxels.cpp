@@ -32,13 +32,13 @@ class HeldSource : public VoxelSource {
   public:
     // `memory` has room for the rows' fixed bytes.
     HeldSource(std::shared_ptr<const VoxelSource> source, std::unique_ptr<VoxelMemory> memory,
-               const std::array<int, 3>& size, int channels)
+               const std::array<int, 3>& size, int channels, PixelType type)
         : source_(std::move(source)),
           size_(size),
           channels_(channels),
           memory_(std::move(memory)),
           rows_(static_cast<std::size_t>(VoxelBox{{}, size}.count() / size[0] * channels),
-                static_cast<std::size_t>(size[0]), *memory_) {}
+                static_cast<std::size_t>(size[0]), type, *memory_) {}
 
     void fill(const VoxelBox& box, const std::vector<float*>& channels) const override {
         assert(static_cast<int>(channels.size()) == channels_);
@@ -167,14 +167,14 @@ class HeldSource : public VoxelSource {
 
 std::shared_ptr<const VoxelSource> held_voxels(std::shared_ptr<const VoxelSource> source,
                                                const std::array<int, 3>& size, int channels,
-                                               const BakeOptions& options) {
+                                               const BakeOptions& options, PixelType type) {
     auto memory = std::make_unique<VoxelMemory>(options.held_voxel_bytes);
     const auto rows = static_cast<std::size_t>(size[1]) * static_cast<std::size_t>(size[2]) *
                       static_cast<std::size_t>(channels);
     if (!memory->take(SparseRows::fixed_bytes(rows, static_cast<std::size_t>(size[0])))) {
         return source;
     }
-    return std::make_shared<HeldSource>(std::move(source), std::move(memory), size, channels);
+    return std::make_shared<HeldSource>(std::move(source), std::move(memory), size, channels, type);
 }
 
 }  // namespace skybake

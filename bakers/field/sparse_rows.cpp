@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cstring>
 
+#include "bakers/field/pixel_type.h"
 #include "bakers/field/value_kernel.h"
 
 namespace skybake {
@@ -16,7 +17,7 @@ std::atomic<std::int64_t>& bytes_taken() {
 }
 
 constexpr std::size_t kWordBits = 64;
-constexpr std::size_t kMostAtOnce = std::size_t{1} << 18;  // floats: 1 MiB
+constexpr std::size_t kMostAtOnce = std::size_t{1} << 20;  // bytes
 
 std::size_t words_of(std::size_t length) {
     const std::size_t pieces = (length + SparseRows::kPiece - 1) / SparseRows::kPiece;
@@ -78,14 +79,17 @@ std::int64_t VoxelMemory::total() { return bytes_taken(); }
 
 std::int64_t SparseRows::fixed_bytes(std::size_t count, std::size_t length) {
     const std::size_t row =
-        sizeof(State) + sizeof(float*) + words_of(length) * sizeof(std::uint64_t);
+        sizeof(State) + sizeof(char*) + words_of(length) * sizeof(std::uint64_t);
     return static_cast<std::int64_t>(count * row);
 }
 
-SparseRows::SparseRows(std::size_t count, std::size_t length, VoxelMemory& memory)
+SparseRows::SparseRows(std::size_t count, std::size_t length, config::PixelType type,
+                       VoxelMemory& memory)
     : length_(length),
       words_(words_of(length)),
-      block_(std::min(kMostAtOnce, count * length)),
+      type_(type),
+      width_(static_cast<std::size_t>(bytes_per_value(type))),
+      block_(std::min(kMostAtOnce, count * length * width_)),
       memory_(memory),
       states_(count),
       stored_(count * words_),
@@ -117,15 +121,15 @@ bool SparseRows::store(std::size_t row, const float* voxels) {
         }
     }
     if (count == 0) return true;
-    float* to = allocate(count);
+    char* to = allocate(count);
     if (to == nullptr) return false;
     pieces_[row] = to;
     for (std::size_t at = 0; at < length_;) {
         const Run run = run_from(words, at / kPiece);
         const std::size_t part = std::min(run.end * kPiece, length_) - at;
         if (run.stored) {
-            std::memcpy(to, voxels + at, part * sizeof(float));
-            to += part;
+            store_values(voxels + at, part, type_, to);
+            to += part * width_;
         }
         at += part;
     }
@@ -133,35 +137,35 @@ bool SparseRows::store(std::size_t row, const float* voxels) {
 }
 
 // Returns memory for so many pieces of one row, or null.
-float* SparseRows::allocate(std::size_t pieces) {
-    const std::size_t count = pieces * kPiece;
+char* SparseRows::allocate(std::size_t pieces) {
+    const std::size_t bytes = pieces * kPiece * width_;
     const std::lock_guard lock(mutex_);
-    if (free_count_ < count) {
-        const std::size_t block = std::max(block_, count);
-        if (!memory_.take(static_cast<std::int64_t>(block * sizeof(float)))) {
+    if (free_bytes_ < bytes) {
+        const std::size_t block = std::max(block_, bytes);
+        if (!memory_.take(static_cast<std::int64_t>(block))) {
             full_ = true;
             return nullptr;
         }
-        free_ = blocks_.emplace_back(new float[block]).get();
-        free_count_ = block;
+        free_ = blocks_.emplace_back(new char[block]).get();
+        free_bytes_ = block;
     }
-    float* const from = free_;
-    free_ += count;
-    free_count_ -= count;
+    char* const from = free_;
+    free_ += bytes;
+    free_bytes_ -= bytes;
     return from;
 }
 
 void SparseRows::get(std::size_t row, std::size_t first, std::size_t count, float* out) const {
     assert(holds(row) && first + count <= length_);
     const std::uint64_t* words = words_of_row(row);
-    const float* from = pieces_[row] + stored_before(words, first / kPiece) * kPiece;
+    const char* from = pieces_[row] + stored_before(words, first / kPiece) * kPiece * width_;
     const std::size_t end = first + count;
     for (std::size_t at = first; at < end;) {
         const Run run = run_from(words, at / kPiece);
         const std::size_t part = std::min(run.end * kPiece, end) - at;
         if (run.stored) {
-            std::memcpy(out, from + at % kPiece, part * sizeof(float));
-            from += (run.end - at / kPiece) * kPiece;
+            load_values(from + at % kPiece * width_, part, type_, out);
+            from += (run.end - at / kPiece) * kPiece * width_;
         } else {
             std::memset(out, 0, part * sizeof(float));
         }

@@ -9,6 +9,8 @@
 #include <mutex>
 #include <vector>
 
+#include "config/sections/pixel_types.h"
+
 namespace skybake {
 
 // Memory for voxels. What all objects of this process have taken counts towards the most that each
@@ -40,8 +42,9 @@ class SparseRows {
     // Returns the bytes of `count` rows of `length` voxels, besides their pieces.
     static std::int64_t fixed_bytes(std::size_t count, std::size_t length);
 
-    // The caller has taken fixed_bytes from `memory`, which must outlive the rows. No row is held.
-    SparseRows(std::size_t count, std::size_t length, VoxelMemory& memory);
+    // The caller has taken fixed_bytes from `memory`, which must outlive the rows. No row is held. Voxels
+    // are held as `type` has them, which is float32 or half.
+    SparseRows(std::size_t count, std::size_t length, config::PixelType type, VoxelMemory& memory);
 
     bool holds(std::size_t row) const {
         return states_[row].load(std::memory_order_acquire) == State::held;
@@ -51,7 +54,7 @@ class SparseRows {
     // stays as it is.
     void put(std::size_t row, const float* voxels);
 
-    // Writes `count` voxels of a row that is held, from voxel `first` on, bit for bit.
+    // Writes `count` voxels of a row that is held, from voxel `first` on.
     void get(std::size_t row, std::size_t first, std::size_t count, float* out) const;
 
     // Whether the pieces that these voxels of a held row are in are all +0.
@@ -64,21 +67,23 @@ class SparseRows {
     const std::uint64_t* words_of_row(std::size_t row) const {
         return stored_.data() + row * words_;
     }
-    float* allocate(std::size_t pieces);
+    char* allocate(std::size_t pieces);
     bool store(std::size_t row, const float* voxels);
 
     const std::size_t length_;
     const std::size_t words_;  // per row
-    const std::size_t block_;  // floats that are allocated at once
+    const config::PixelType type_;
+    const std::size_t width_;  // bytes per voxel
+    const std::size_t block_;  // bytes that are allocated at once
     VoxelMemory& memory_;
     std::vector<std::atomic<State>> states_;
     std::vector<std::uint64_t> stored_;
-    std::vector<const float*> pieces_;  // of each row those that are stored, one after the other
-    std::atomic<bool> full_ = false;    // no memory was left for some row
-    std::mutex mutex_;                  // guards all below
-    std::vector<std::unique_ptr<float[]>> blocks_;
-    float* free_ = nullptr;  // in the last block
-    std::size_t free_count_ = 0;
+    std::vector<const char*> pieces_;  // of each row those that are stored, one after the other
+    std::atomic<bool> full_ = false;   // no memory was left for some row
+    std::mutex mutex_;                 // guards all below
+    std::vector<std::unique_ptr<char[]>> blocks_;
+    char* free_ = nullptr;  // in the last block
+    std::size_t free_bytes_ = 0;
 };
 
 }  // namespace skybake

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "bakers/field/pixel_type.h"
 #include "bakers/field/stored_voxels.h"
 #include "bakers/field/voxel_array.h"
 
@@ -36,8 +37,8 @@ std::vector<double> errors_of(const Level& level, const VolumeComparison& compar
 // Estimates the errors in the cells of voxels.
 class VoxelBends {
   public:
-    VoxelBends(const Level& level, const SearchGrid& grid, const VolumeComparison& comparison,
-               const BakeOptions& options)
+    VoxelBends(const Level& level, PixelType type, const SearchGrid& grid,
+               const VolumeComparison& comparison, const BakeOptions& options)
         : level_(level),
           grid_(grid),
           comparison_(comparison),
@@ -46,7 +47,10 @@ class VoxelBends {
         for (std::size_t c = 0; c < values_.channels(); ++c) {
             targets.push_back(values_.channel(c).data());
         }
-        if (!options.cancelled()) level.voxels->fill({{}, level.size}, targets);
+        if (options.cancelled()) return;
+        level.voxels->fill({{}, level.size}, targets);
+        const auto count = static_cast<std::size_t>(VoxelBox{{}, level.size}.count());
+        for (float* const target : targets) round_values(target, count, type);
     }
 
     double expected(std::size_t cell) const {
@@ -124,7 +128,7 @@ VolumeErrors search_volume(const Level& level, PixelType type, const VolumeRefer
     if (estimate && counts.exact > 0) search.estimate = errors_against(estimate);
     std::optional<VoxelBends> bends;
     if (VoxelBox{{}, level.size}.count() <= kMostVoxels) {
-        bends.emplace(level, search.rows, comparison, options);
+        bends.emplace(level, type, search.rows, comparison, options);
         search.expected = [&bends](std::size_t cell, std::size_t) { return bends->expected(cell); };
     }
     SearchCounts of_places = counts;

@@ -98,6 +98,12 @@ std::shared_ptr<const void> Intermediates::get_any(const NeedKey& key, const Mak
     return value;
 }
 
+bool Intermediates::is_shared(const NeedKey& key) const {
+    const std::lock_guard lock(mutex_);
+    const std::shared_ptr<Node> node = find(key);
+    return node && (node->expected > 1 || node->making || node->value);
+}
+
 int Intermediates::made() const {
     const std::lock_guard lock(mutex_);
     return made_;

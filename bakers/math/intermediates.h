@@ -118,6 +118,9 @@ class Intermediates {
             get_any(key, [&make]() -> std::shared_ptr<const void> { return make(); }));
     }
 
+    // Whether others than the one that asks want it, or have made it.
+    bool is_shared(const NeedKey& key) const;
+
     // Where makers may look for what an earlier run made, and leave it for the next; null: nowhere.
     KeptBytes* kept() const { return kept_; }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bakers/assets/cloud_volume/cloud_volume.h"
+#include "bakers/field/pixel_type.h"
 #include "tests/clouds/clouds.h"
 
 namespace skybake {
@@ -116,18 +117,44 @@ TEST(HeldClouds, AreSharedByEqualMapsOnly) {
     EXPECT_NE(held(shared, with_map("b.png")), first);
 }
 
+Baked baked(const test::CloudCase& any, const config::CloudVolumeBake& bake,
+            const BakeOptions& options) {
+    const CloudInputs inputs = {&any.base, nullptr, std::nullopt, any.detail_noise(), any.maps, {}};
+    return *bake_cloud_volume(any.cloud, bake, inputs, options, {}).value;
+}
+
+// Halves that others read too are held as they were made.
+TEST(HeldClouds, AreHeldAsHalvesForTheirOwnFileOnly) {
+    const test::CloudCase any = named(test::plain_case({16, 16, 8}));
+    const config::CloudVolumeBake bake = bake_of(any);
+    Intermediates shared(kPlenty);
+    BakeOptions options = options_with(kPlenty);
+    options.intermediates = &shared;
+    const auto expected = expect(shared, any);
+    std::vector<float> alone(16 * 16 * 8);
+    std::vector<float> whole(alone.size());
+    baked(any, bake, options).levels.front().voxels->fill({{}, any.size}, {alone.data()});
+    held(shared, any)->fill({{}, any.size}, {whole.data()});
+    EXPECT_NE(alone, whole);
+    round_values(whole.data(), whole.size(), bake.pixel_type);
+    EXPECT_EQ(alone, whole);
+    EXPECT_EQ(baked(any, bake, options).levels.front().voxels, held(shared, any));
+    Intermediates others(kPlenty);
+    options.intermediates = &others;
+    const auto one = expect(others, any);
+    const auto other = expect(others, any);
+    EXPECT_EQ(baked(any, bake, options).levels.front().voxels, held(others, any));
+}
+
 TEST(HeldClouds, HaveTheBytesOfThoseMadeOnDemand) {
     const test::CloudCase any = test::plain_case({32, 24, 17});
     config::CloudVolumeBake bake = bake_of(any);
     bake.mips = 3;
     std::vector<std::vector<std::string>> hashes;
     for (const std::int64_t bytes : {std::int64_t{0}, kPlenty}) {
-        const auto outcome = bake_cloud_volume(
-            any.cloud, bake, {&any.base, nullptr, std::nullopt, any.detail_noise(), any.maps, {}},
-            options_with(bytes), {});
-        ASSERT_TRUE(outcome.value);
+        const Baked volume = baked(any, bake, options_with(bytes));
         std::vector<std::string>& of_levels = hashes.emplace_back();
-        for (const Level& level : outcome.value->levels) of_levels.push_back(level.content_hash);
+        for (const Level& level : volume.levels) of_levels.push_back(level.content_hash);
     }
     EXPECT_EQ(hashes[0].size(), 3U);
     EXPECT_EQ(hashes[0], hashes[1]);

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cstdint>
 
+#include "bakers/field/pixel_type.h"
 #include "bakers/field/sparse_rows.h"
 #include "tests/support/volumes.h"
 
@@ -83,6 +84,27 @@ TEST(HeldVoxels, AreTheVoxelsOfTheirSourceBitForBitWhateverFits) {
         EXPECT_LE(VoxelMemory::total(), bytes);
     }
     EXPECT_EQ(VoxelMemory::total(), 0);
+}
+
+TEST(HeldVoxels, OfHalvesAreRoundedInHalfOfTheMemory) {
+    const auto held =
+        held_voxels(std::make_shared<SparseVoxels>(), kSize, kChannels, options_with(kBytes));
+    const auto halves = held_voxels(std::make_shared<SparseVoxels>(), kSize, kChannels,
+                                    options_with(kBytes), config::PixelType::half);
+    const std::int64_t fixed = VoxelMemory::total() / 2;
+    bits_of(*held, kWhole);
+    const std::int64_t floats = VoxelMemory::total() - 2 * fixed;
+    bits_of(*halves, kWhole);
+    EXPECT_EQ(VoxelMemory::total() - 2 * fixed - floats, floats / 2);
+    for (const VoxelBox& box : kBoxes) {
+        std::vector<std::uint32_t> rounded = bits_of(*held, box);
+        for (std::uint32_t& bits : rounded) {
+            const float value =
+                round_to_pixel_type(double{std::bit_cast<float>(bits)}, config::PixelType::half);
+            bits = std::bit_cast<std::uint32_t>(value);
+        }
+        EXPECT_EQ(bits_of(*halves, box), rounded);
+    }
 }
 
 TEST(HeldVoxels, AreMadeOnceWhereBoxesShareRows) {

@@ -186,7 +186,7 @@ void draft(AerialPerspectiveBake& asset, int) {
 }  // namespace
 
 Baker<config::AerialPerspectiveBake> baker(BakerTag<config::AerialPerspectiveBake>) {
-    return {.version = 16,
+    return {.version = 17,
             .bake = bake,
             .estimate = estimate,
             .needs = needs,

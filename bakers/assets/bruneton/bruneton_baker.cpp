@@ -239,7 +239,7 @@ void draft(BrunetonBake& asset, int) {
 }  // namespace
 
 Baker<BrunetonBake> baker(BakerTag<BrunetonBake>) {
-    return {.version = 16,
+    return {.version = 17,
             .bake = bake,
             .estimate = estimate,
             .needs = needs,

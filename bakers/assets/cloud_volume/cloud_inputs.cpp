@@ -14,7 +14,6 @@
 #include "bakers/io/volumes/volume_reader.h"
 
 namespace skybake {
-
 namespace {
 
 using config::CloudMap;
@@ -147,9 +146,6 @@ Outcome<CloudInputs> cloud_inputs(const Parameters& parameters, const CloudVolum
     if (!has_errors(outcome.diagnostics)) outcome.value = std::move(inputs);
     return outcome;
 }
-
-using config::CloudMap;
-using config::VolumeFile;
 
 std::vector<Diagnostic> check_cloud_files(const Parameters& parameters) {
     std::vector<Diagnostic> problems;

@@ -217,7 +217,12 @@ Outcome<Baked> bake_cloud_volume(const Cloud& cloud, const CloudVolumeBake& bake
                                  Baked volume) {
     const auto field = make_field(cloud, bake, inputs);
     volume = describe(cloud, bake, inputs, field, std::move(volume));
-    hold_shared(cloud, bake, inputs, options, volume);
+    const Intermediates* const shared = options.intermediates;
+    if (bake.mips > 1 || (shared && shared->is_shared(key_of_voxels(cloud, bake, inputs)))) {
+        hold_shared(cloud, bake, inputs, options, volume);
+    } else {
+        hold_voxels(options, volume, true);
+    }
     if (options.cancelled()) return {};
     volume.seam_error = seam_error(*field, bake.size);
     add_mip_levels(bake.mips, options, volume);

@@ -221,7 +221,7 @@ void draft(IrradianceBake& asset, int) {
 }  // namespace
 
 Baker<config::IrradianceBake> baker(BakerTag<config::IrradianceBake>) {
-    return {.version = 18,
+    return {.version = 19,
             .bake = bake,
             .estimate = estimate,
             .needs = needs,

@@ -210,7 +210,7 @@ void draft(MultipleScatteringBake& asset, int) {
 }  // namespace
 
 Baker<config::MultipleScatteringBake> baker(BakerTag<config::MultipleScatteringBake>) {
-    return {.version = 17,
+    return {.version = 18,
             .bake = bake,
             .estimate = estimate,
             .needs = needs,

@@ -150,7 +150,7 @@ void draft(SkyViewBake& asset, int) {
 }  // namespace
 
 Baker<config::SkyViewBake> baker(BakerTag<config::SkyViewBake>) {
-    return {.version = 18,
+    return {.version = 19,
             .bake = bake,
             .estimate = estimate,
             .needs = needs,

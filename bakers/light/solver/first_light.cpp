@@ -17,10 +17,10 @@
 HWY_BEFORE_NAMESPACE();
 namespace skybake::HWY_NAMESPACE {
 
-// A forward peak of half width 1 - |g| needs azimuths to match, and so do moments of a degree and
-// a phase function whose peak they resolve.
+// A forward peak of half width 1 - |g| needs azimuths to match. The mean over n of them is exact below
+// degree 2 n: for moments of a degree times a phase function of the same, and what sunlight changes.
 inline int first_azimuths(const std::vector<SplitPhase>& phases, int degree) {
-    if (degree > kLargestDegreeOfBundles) return 2 * degree;
+    if (degree > kLargestDegreeOfBundles) return degree + 8;
     double peak = 0;
     for (const SplitPhase& layer : phases) {
         for (const PhaseFunction& phase : layer.wide.phase.functions) {

@@ -108,27 +108,27 @@ void refine_light(const SkyMedium& medium, const SolverSettings& settings, int t
     const auto irradiance_of = [](LightField& field, int level) {
         return level == 0 ? field.sky_irradiance.data() : nullptr;
     };
+    std::vector<RayFan> fans(static_cast<std::size_t>(levels));
     const FirstLight high(medium, settings.degree);
     const FirstLight low(medium, std::min(kDegreeOfHaze, settings.degree));
     parallel_for(levels, threads, [&](int level) {
         if (is_cancelled(progress)) return;
         const int at = reading.index_of(level);
-        const FirstLight& needed =
-            moments.degrees[static_cast<std::size_t>(at)] > kDegreeOfHaze ? high : low;
-        const FirstFans fans = make_first_fans(
-            medium, reading.altitudes_km(), at,
-            zenith_nodes_of_first(needed.degree, settings.zenith_nodes), settings.ray_tolerance);
-        needed.gather(fans, sunlight, light.suns, first, level, irradiance_of(first, level));
+        const int degree = moments.degrees[static_cast<std::size_t>(at)];
+        const FirstLight& needed = degree > kDegreeOfHaze ? high : low;
+        const int nodes = zenith_nodes_of_last(degree > kDegreeOfAir ? settings.degree : low.degree,
+                                               settings.zenith_nodes);
+        const int first_nodes = zenith_nodes_of_first(needed.degree, settings.zenith_nodes);
+        FirstFans first_fans = make_first_fans(medium, reading.altitudes_km(), at, first_nodes,
+                                               settings.ray_tolerance);
+        needed.gather(first_fans, sunlight, light.suns, first, level, irradiance_of(first, level));
+        fans[static_cast<std::size_t>(level)] =
+            first_nodes == nodes
+                ? std::move(first_fans.day)
+                : make_ray_fan(medium, reading.altitudes_km(), at, nodes, settings.ray_tolerance);
     });
     SteepSuns steep(light.steep);
     steep.follow(reading.read_light(light.light));
-    std::vector<RayFan> fans(static_cast<std::size_t>(levels));
-    parallel_for(levels, threads, [&](int level) {
-        if (is_cancelled(progress)) return;
-        fans[static_cast<std::size_t>(level)] = make_ray_fan(
-            medium, reading.altitudes_km(), reading.index_of(level),
-            zenith_nodes_of_last(settings.degree, settings.zenith_nodes), settings.ray_tolerance);
-    });
     LightField last = completed(light.light, first);
     for (int order = 0; order < kLastOrders; ++order) {
         LightField next(levels, settings.suns, settings.degree);

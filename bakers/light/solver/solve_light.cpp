@@ -239,7 +239,7 @@ SolvedLight solve_levels(const SkyMedium& medium, const SolverSettings& settings
         light_beyond_degree(medium, first.degree) <= kNegligibleLight) {
         return solve_orders(medium, settings, threads, progress);
     }
-    first.first_zenith_nodes *= 2;  // light scattered once is peaked
+    first.first_zenith_nodes += first.first_zenith_nodes / 2;  // light scattered once is peaked
     const SkyMedium scaled = delta_scaled(medium, first.degree);
     SolvedLight light = solve_orders(scaled, first, threads, progress);
     if (is_cancelled(progress)) return light;
