@@ -53,7 +53,8 @@ const std::string cloud =
     "[clouds.c]\nnoise = 'n'\nextent = ['2 km', '2 km', '1 km']\nperiod = 6\n"
     "[[clouds.c.towers]]\ncenter = [0.5, 0.5]\nsigma = [0.2, 0.2]\namplitude = 2\n"
     "life = [0.4, 0.3, 0.2]\n"
-    "[bake.v]\nasset = 'cloud_volume'\ncloud = 'c'\nsize = [20, 16, 6]\nframes = 6\n";
+    "[bake.v]\nasset = 'cloud_volume'\ncloud = 'c'\nsize = [20, 16, 6]\nframes = 6\n"
+    "pixel_type = 'float'\n";
 
 std::string book(const std::string& keys = "") {
     return "[bake.b]\nasset = 'flipbook'\nof = 'v'\nformats = ['exr']\npixel_type = 'float'\n" +

@@ -70,7 +70,8 @@ std::optional<FrameChange> change_to_next_frame(const Parameters& parameters,
         if (!was && !is) continue;
         ++cloudy;
         flips += was == is ? 0 : 1;
-        squares += std::pow(double{after[i]} - double{before[i]}, 2);
+        const double change = double{after[i]} - double{before[i]};
+        squares += change * change;
     }
     if (cloudy == 0) return FrameChange{};
     return FrameChange{flips / cloudy, std::sqrt(squares / cloudy)};
