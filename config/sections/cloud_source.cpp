@@ -23,12 +23,9 @@ void report_beside(std::string_view source, const Place& place, const std::strin
 }
 
 // A cloud of a volume stands still, and the wind does not carry one that grows.
-void check_time_keys(const DecodedSection& section, std::string_view source, Decoder& decoder) {
-    const bool is_of_volume = source == "volume";
-    const DecodedField& key = section.at(is_of_volume ? "period" : "drift");
-    if (!key.source || !key.value) return;
-    const auto* drift = std::get_if<std::array<double, 2>>(&*key.value);
-    if (drift != nullptr && *drift == std::array{0.0, 0.0}) return;
+void check_time_keys(DecodedSection& section, std::string_view source, Decoder& decoder) {
+    DecodedField& key = section.at(source == "volume" ? "period" : "drift");
+    if (!key.source) return key.value.reset();
     report_beside(source, key.source->place, join_path(section.path, key.field->key), decoder);
 }
 
@@ -39,7 +36,6 @@ void check_noise_keys(const DecodedSection& section, std::string_view source, co
         if (!entry) continue;
         report_beside(source, entry->key_place, join_path(section.path, name), decoder);
     }
-    check_time_keys(section, source, decoder);
     const DecodedField& channels = section.at("channels");
     if (!channels.source || choice_of<CloudChannels>(channels) != CloudChannels::noise) return;
     report_beside(source, channels.source->place, join_path(section.path, "channels"), decoder);
@@ -98,7 +94,9 @@ void resolve_cloud_source(DecodedSection& section, const Table& table, const Clo
     const bool is_of_volume = section.at("volume").source != nullptr;
     if (is_of_volume) check_name(section.at("volume"), section.path, decoder);
     if (is_of_volume || section.at("shape").source != nullptr) {
-        check_noise_keys(section, is_of_volume ? "volume" : "shape", table, decoder);
+        const std::string_view source = is_of_volume ? "volume" : "shape";
+        check_noise_keys(section, source, table, decoder);
+        check_time_keys(section, source, decoder);
         DecodedField& erosion = section.at("erosion");
         if (!is_of_volume && erosion.value) derive(erosion, std::array{0.0, 0.0});
         derive(section.at("edge_softness"), 0.0);
