@@ -106,18 +106,16 @@ std::vector<float> grown_water(const Specification& wanted, const BakeOptions& o
     const std::size_t cells = cloudy_cells(wanted);
     std::vector<float> water(static_cast<std::size_t>(moments) * cells);
     Growth growth(wanted, options);
-    const double end_s = wanted.growth_s + wanted.loop_s;
-    for (const bool is_loop : {false, true}) {
-        for (int i = is_loop ? 0 : 1; i < moments; ++i) {
-            const double share = double{1} * i / moments;
-            const double time_s = wanted.growth_s + wanted.loop_s * (is_loop ? share : share - 1);
-            // What grew is the same to the bit as that of a cloud that stands still.
-            const double limit_s = time_s <= wanted.growth_s ? wanted.growth_s : end_s;
-            if (!growth.advance(time_s, limit_s)) return {};
-            const double before = share * share * (3 - 2 * share);
-            growth.add_to(water.data() + static_cast<std::size_t>(i) * cells, time_s,
-                          static_cast<float>(is_loop ? 1 - before : before));
-        }
+    // The times of the loop before come first: of all moments but the first one, which takes nothing of it.
+    for (int i = 1 - moments; i < moments; ++i) {
+        const double time_s = wanted.growth_s + wanted.loop_s * i / moments;
+        // What grew is the same to the bit as that of a cloud that stands still.
+        if (!growth.advance(time_s, wanted.growth_s + (i <= 0 ? 0 : wanted.loop_s))) return {};
+        const int moment = i < 0 ? i + moments : i;
+        const double share = double{1} * moment / moments;
+        const double before = share * share * (3 - 2 * share);
+        growth.add_to(water.data() + static_cast<std::size_t>(moment) * cells, time_s,
+                      static_cast<float>(i < 0 ? before : 1 - before));
     }
     return water;
 }

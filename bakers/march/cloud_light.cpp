@@ -15,7 +15,7 @@ using Plane = std::vector<double>;
 // Returns (1 - g) sigma h / 2 for each block, plane by plane.
 std::vector<Plane> diffuse_depths(const CloudMedium& medium, const VoxelBlocks& blocks,
                                   int threads) {
-    const double g = mean_cosine(droplet_phase(kDropletDiameter_um));
+    const double backward = backward_share();
     const double height_m = medium.extent_m[2] / blocks.size[2];
     std::vector<Plane> planes(static_cast<std::size_t>(blocks.size[2]),
                               Plane(blocks.plane_count()));
@@ -24,7 +24,7 @@ std::vector<Plane> diffuse_depths(const CloudMedium& medium, const VoxelBlocks& 
         for (int j = 0; j < blocks.size[1]; ++j) {
             for (int i = 0; i < blocks.size[0]; ++i) {
                 planes[static_cast<std::size_t>(k)][index++] =
-                    (1 - g) / 2 * medium.optics.extinction_per_m * height_m *
+                    backward / 2 * medium.optics.extinction_per_m * height_m *
                     mean_density(medium, blocks, i, j, k);
             }
         }
@@ -144,5 +144,7 @@ double mean_cosine(const DropletPhase& phase) {
     const double draine = g * (1 + alpha * (3 + 2 * g * g) / 5) / (1 + alpha * (1 + 2 * g * g) / 3);
     return (1 - phase.draine_share) * phase.hg_g + phase.draine_share * draine;
 }
+
+double backward_share() { return 1 - mean_cosine(droplet_phase(kDropletDiameter_um)); }
 
 }  // namespace skybake

@@ -65,6 +65,9 @@ double phase_value(const DropletPhase& phase, double offset);
 // The mean cosine g of the scattering angle.
 double mean_cosine(const DropletPhase& phase);
 
+// The share 1 - g of light that droplets of the usual diameter send back, as two-stream theory counts it.
+double backward_share();
+
 inline constexpr int kOctaves = 8;
 inline constexpr double kOctaveBrightness = 0.7;  // b
 inline constexpr double kOctaveHalving = 0.5;     // a and c

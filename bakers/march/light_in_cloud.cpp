@@ -123,7 +123,7 @@ LitRay lit_ray(const LightInCloud& light, const glm::dvec3& look, double offset)
 
 PointLight light_of(const LightInCloud& light, const LitRay& ray, const LitPoint& point) {
     const CellLight values = coefficients_at(light, point.place);
-    static const double kBackwards = 1 - mean_cosine(droplets());
+    static const double kBackwards = backward_share();
     const double passed = 2 / (2 + kBackwards * double{point.beyond});
     const float* sky = values.data() + LightInCloud::kSun;
     PointLight found;

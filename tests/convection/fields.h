@@ -5,6 +5,7 @@
 #include <random>
 
 #include "bakers/convection/grid.h"
+#include "bakers/convection/sounding.h"
 
 namespace skybake::convection::test {
 
@@ -57,6 +58,18 @@ inline std::array<Field, 3> random_wind(const Grid& grid, unsigned seed) {
         std::fill_n(wind[2].row(y, 0) - kMargin, grid.stride(), 0.0F);
     }
     return wind;
+}
+
+// A small tile in which clouds grow within minutes.
+inline Specification small() {
+    Specification wanted;
+    wanted.grid = {{24, 20, 30}, {60, 60, 60}};
+    wanted.mixed_levels = 8;
+    wanted.inversion_m = 900;
+    wanted.wind_top_m_per_s = {4, -2};
+    wanted.patches = 3;
+    wanted.growth_s = 600;
+    return wanted;
 }
 
 }  // namespace skybake::convection::test

@@ -14,17 +14,7 @@ namespace {
 
 using test::each_cell;
 using test::largest_divergence;
-
-Specification small() {
-    Specification wanted;
-    wanted.grid = {{24, 20, 30}, {60, 60, 60}};
-    wanted.mixed_levels = 8;
-    wanted.inversion_m = 900;
-    wanted.wind_top_m_per_s = {4, -2};
-    wanted.patches = 3;
-    wanted.growth_s = 600;
-    return wanted;
-}
+using test::small;
 
 double total(const Grid& grid, Field& field) {
     double sum = 0;

@@ -7,17 +7,13 @@
 
 #include "bakers/convection/convection.h"
 #include "bakers/convection/flow.h"
+#include "tests/convection/fields.h"
 
 namespace skybake::convection {
 namespace {
 
 Specification looped() {
-    Specification wanted;
-    wanted.grid = {{16, 20, 26}, {60, 60, 60}};
-    wanted.mixed_levels = 8;
-    wanted.inversion_m = 900;
-    wanted.wind_top_m_per_s = {4, -2};
-    wanted.patches = 3;
+    Specification wanted = test::small();
     wanted.growth_s = 480;
     wanted.loop_s = 200;
     return wanted;

@@ -16,9 +16,6 @@
 namespace skybake {
 namespace {
 
-using config::CloudMap;
-using config::VolumeFile;
-
 bool has_errors(const std::vector<Diagnostic>& diagnostics) {
     return std::ranges::any_of(diagnostics, [](const Diagnostic& diagnostic) {
         return diagnostic.severity == Severity::error;
@@ -26,8 +23,8 @@ bool has_errors(const std::vector<Diagnostic>& diagnostics) {
 }
 
 // None where the cloud names no map, and after an error.
-std::optional<cloud::MapLookup> read_map(const CloudMap& map, const char* key, Facts& details,
-                                         std::vector<Diagnostic>& diagnostics) {
+std::optional<cloud::MapLookup> read_map(const config::CloudMap& map, const char* key,
+                                         Facts& details, std::vector<Diagnostic>& diagnostics) {
     if (map.file.empty()) return std::nullopt;
     Outcome<MapImage> image = read_map_image(map);
     for (Diagnostic& diagnostic : image.diagnostics) diagnostics.push_back(std::move(diagnostic));
@@ -37,7 +34,7 @@ std::optional<cloud::MapLookup> read_map(const CloudMap& map, const char* key, F
 }
 
 // Adds what a reader of the files needs to know of where the voxels come from. None after an error.
-std::optional<cloud::CloudVolume> read_volume(const VolumeFile& file, Facts& details,
+std::optional<cloud::CloudVolume> read_volume(const config::VolumeFile& file, Facts& details,
                                               Intermediates* shared,
                                               std::vector<Diagnostic>& diagnostics) {
     const auto source = shared_or_made<SourceVoxels>(
@@ -116,17 +113,23 @@ std::optional<Diagnostic> missed_cover(const CloudVolumeBake& bake,
 
 }  // namespace
 
+bool take_shape(const Parameters& parameters, const CloudVolumeBake& bake, CloudInputs& inputs,
+                Facts& details, const BakeOptions& options) {
+    const Cloud& cloud = cloud_named(parameters, bake.cloud);
+    inputs.base = noise_of(parameters, cloud);
+    if (!cloud.detail.empty()) inputs.detail = &noise_named(parameters, cloud.detail);
+    if (cloud.shape != config::CloudShape::convection) return true;
+    inputs.volume = grown_volume(cloud, inputs.detail, bake.size, details, options);
+    return inputs.volume.has_value();
+}
+
 Outcome<CloudInputs> cloud_inputs(const Parameters& parameters, const CloudVolumeBake& bake,
                                   Facts& details, const BakeOptions& options) {
     Outcome<CloudInputs> outcome;
     const Cloud& cloud = cloud_named(parameters, bake.cloud);
     CloudInputs inputs;
-    inputs.base = noise_of(parameters, cloud);
-    if (!cloud.detail.empty()) inputs.detail = &noise_named(parameters, cloud.detail);
-    if (cloud.shape == config::CloudShape::convection) {
-        inputs.volume = grown_volume(cloud, inputs.detail, bake.size, details, options);
-        if (!inputs.volume) return {};
-    } else if (inputs.base == nullptr) {
+    if (!take_shape(parameters, bake, inputs, details, options)) return {};
+    if (inputs.base == nullptr && !inputs.volume) {
         inputs.file = &volume_named(parameters, cloud.volume);
         inputs.volume =
             read_volume(*inputs.file, details, options.intermediates, outcome.diagnostics);
@@ -150,13 +153,13 @@ Outcome<CloudInputs> cloud_inputs(const Parameters& parameters, const CloudVolum
 std::vector<Diagnostic> check_cloud_files(const Parameters& parameters) {
     std::vector<Diagnostic> problems;
     for (const Cloud& cloud : parameters.clouds) {
-        for (const CloudMap* map : {&cloud.coverage_map, &cloud.type_map}) {
+        for (const config::CloudMap* map : {&cloud.coverage_map, &cloud.type_map}) {
             if (map->file.empty()) continue;
             const Outcome<MapImage> image = read_map_image(*map);
             problems.insert(problems.end(), image.diagnostics.begin(), image.diagnostics.end());
         }
     }
-    for (const VolumeFile& volume : parameters.volumes) {
+    for (const config::VolumeFile& volume : parameters.volumes) {
         const Outcome<SourceVoxels> source = open_volume(volume);
         problems.insert(problems.end(), source.diagnostics.begin(), source.diagnostics.end());
     }

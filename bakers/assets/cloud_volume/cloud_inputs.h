@@ -21,6 +21,10 @@ namespace skybake {
 Outcome<CloudInputs> cloud_inputs(const Parameters& parameters, const CloudVolumeBake& bake,
                                   Facts& details, const BakeOptions& options = {});
 
+// Takes the part of the inputs that changes with time: noises, and what has grown. False after an interruption.
+bool take_shape(const Parameters& parameters, const CloudVolumeBake& bake, CloudInputs& inputs,
+                Facts& details, const BakeOptions& options);
+
 // Reads every map and volume that the recipe names, even if no bake needs it. Returns E0300
 // and E0304 at the recipe's line.
 [[nodiscard]] std::vector<Diagnostic> check_cloud_files(const Parameters& parameters);

@@ -32,16 +32,14 @@ VoxelBox box_number(int number, const std::array<int, 3>& size) {
 std::vector<float> sampled(const Cloud& cloud, const CloudVolumeBake& bake,
                            const CloudInputs& inputs) {
     const cloud::CloudField field(plan_of_cloud(cloud, inputs, bake.size));
-    const auto channels = config::cloud_channel_names(inputs.base, cloud.channels).size();
+    std::vector<float*> channels(
+        config::cloud_channel_names(inputs.base, cloud.channels).size());  // null: not wanted
     std::vector<float> values;
     for (int number = 0; number < kBoxes; ++number) {
         const VoxelBox box = box_number(number, bake.size);
-        const auto count = static_cast<std::size_t>(box.count());
-        std::vector<float> all(channels * count);
-        std::vector<float*> channel;
-        for (std::size_t c = 0; c < channels; ++c) channel.push_back(all.data() + c * count);
-        field.fill(box, channel);
-        values.insert(values.end(), all.begin(), all.begin() + box.count());
+        values.resize(values.size() + static_cast<std::size_t>(box.count()));
+        channels.front() = values.data() + values.size() - box.count();
+        field.fill(box, channels);
     }
     return values;
 }
@@ -53,16 +51,11 @@ std::optional<FrameChange> change_to_next_frame(const Parameters& parameters,
                                                 const CloudInputs& inputs,
                                                 const BakeOptions& options) {
     const Parameters next = config::at_frame(parameters, 2);
-    CloudVolumeBake covered = bake;
-    covered.cover.reset();
-    Facts details;
-    Outcome<CloudInputs> following = cloud_inputs(next, covered, details, options);
-    if (!following.value) return std::nullopt;
-    following.value->coverage = inputs.coverage;
+    CloudInputs following = inputs;
+    if (Facts facts; !take_shape(next, bake, following, facts, options)) return std::nullopt;
     const Cloud& cloud = cloud_named(parameters, bake.cloud);
     const std::vector<float> before = sampled(cloud, bake, inputs);
-    const std::vector<float> after =
-        sampled(cloud_named(next, bake.cloud), bake, *following.value);
+    const std::vector<float> after = sampled(cloud_named(next, bake.cloud), bake, following);
     const float threshold = filtered_threshold(cloud);
     double cloudy = 0, flips = 0, squares = 0;
     for (std::size_t i = 0; i < before.size(); ++i) {
@@ -73,7 +66,7 @@ std::optional<FrameChange> change_to_next_frame(const Parameters& parameters,
         const double change = double{after[i]} - double{before[i]};
         squares += change * change;
     }
-    if (cloudy == 0) return FrameChange{};
+    cloudy = std::max(cloudy, 1.0);  // nothing flips where there is no cloud
     return FrameChange{flips / cloudy, std::sqrt(squares / cloudy)};
 }
 

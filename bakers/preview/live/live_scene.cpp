@@ -48,7 +48,6 @@ LiveJson shift_texture(const std::vector<LiveCloud>& clouds) {
 LiveJson cloud_json(const LiveCloud& cloud, const SceneLayer& layer, double greatest_error) {
     const CloudMedium& medium = cloud.medium;
     const CloudOptics& optics = medium.optics;
-    const double g = mean_cosine(droplet_phase(kDropletDiameter_um));
     return {{"name", cloud.volume->entry.name},
             {"leaps", cloud.leaps_name},
             {"greatest_error", greatest_error},
@@ -57,7 +56,7 @@ LiveJson cloud_json(const LiveCloud& cloud, const SceneLayer& layer, double grea
             {"extinction", optics.extinction_per_m},
             {"threshold", optics.has_edge ? LiveJson(optics.threshold) : LiveJson(nullptr)},
             {"edge_softness", optics.edge_softness},
-            {"backward", (1 - g) / 2},
+            {"backward", backward_share() / 2},
             {"step", layer.step_m},
             {"voxel_edge", voxel_edge_m(medium)},
             {"most_sun_samples", kSunSamples},

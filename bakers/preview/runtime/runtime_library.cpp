@@ -98,9 +98,6 @@ const config::Bake* leaps_of(const PreviewAssets& assets, const std::string& vol
         });
 }
 
-// The share of scattered light that goes back, by which two-stream theory multiplies depths.
-double backward_share() { return 1 - mean_cosine(droplet_phase(kDropletDiameter_um)); }
-
 // Covered columns count as if they had the mean of their depths.
 double share_through(const ManifestAsset& volume, const config::Cloud& cloud) {
     const double cover = number_named(volume.details, covered_columns).value_or(1);
