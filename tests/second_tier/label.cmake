@@ -9,7 +9,6 @@ set_tests_properties(
     incremental.KeyCoversBytes.WhateverChangesOfTheSky
     incremental.KeyCoversBytes.WhateverElseChanges
     install.package_archive
-    io.BinVolume.ReadsBackAndDoesNotDependOnThreads
     lookups.compile_printed_glsl
     pipelines.cache
     pipelines.http_cache
