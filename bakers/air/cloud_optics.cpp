@@ -8,7 +8,7 @@ namespace skybake {
 
 CloudOptics cloud_optics(const Cloud& cloud) {
     return {cloud.extinction_scale.per_meter, cloud.threshold_at == config::ThresholdAt::runtime,
-            cloud.threshold, cloud.edge_softness};
+            cloud.threshold, cloud.edge_softness, cloud.particles};
 }
 
 double density(const CloudOptics& optics, double value) {

@@ -248,7 +248,7 @@ class BoxFiller {
         const float* detail = detail_.data();
         for_each_row(cut, [&](int y, int z) {
             if (plan_.detail) erode(slice(z), detail, plan_.level(), width, row);
-            finish(plan_, width, row);
+            finish(plan_, slice(z).water, width, row);
             std::memcpy(channel + place(cut.origin[0], y, z), row, width * sizeof(float));
             row += part.size[0];
             detail += width;

@@ -37,6 +37,9 @@ SliceShape slice_shape(const Cloud& cloud, bool by_map, double h) {
     }
     shape.erosion = static_cast<float>(cloud.erosion[0] * (1 - h) + cloud.erosion[1] * h);
     shape.billow = static_cast<float>(h < cloud.wisp_height ? h / cloud.wisp_height : 1);
+    if (cloud.water == config::CloudWater::rising) {
+        shape.water = static_cast<float>(exponential(2.0 / 3 * logarithm(h)));
+    }
     return shape;
 }
 

@@ -12,7 +12,7 @@
 //
 //   v = max(0, (b - e) / (1 - e))          remap(b, e, 1, 0, 1), Schneider and Vos 2015
 //
-//   density = min(1, v / full_at) smoothstep(t, t + softness, v)
+//   density = min(1, v / full_at) smoothstep(t, t + softness, v), times h^(2/3) with water = "rising"
 //
 //                                          threshold_at = "bake"; without full_at v in place of the
 //                                          minimum; threshold_at = "runtime": v itself
@@ -69,6 +69,7 @@ struct SliceShape {
     std::array<float, 3> profile{};  // with a type map the three classic ones; else profile[0]
     float erosion = 0;               // s
     float billow = 1;                // w
+    float water = 1;                 // factor of the density
 };
 
 struct CloudPlan {

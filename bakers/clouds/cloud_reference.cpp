@@ -212,7 +212,10 @@ double CloudReference::shaped(const std::array<double, 3>& place, double base_no
         value = std::max(0.0, (base - erosion) / (1 - erosion));
     }
     if (!in_file) return value;
-    const double inside = cloud_.full_at ? std::fmin(value / *cloud_.full_at, 1) : value;
+    const double full = cloud_.full_at ? std::fmin(value / *cloud_.full_at, 1) : value;
+    const double inside = cloud_.water == config::CloudWater::rising
+                              ? full * exponential(2.0 / 3 * logarithm(h))
+                              : full;
     if (cloud_.edge_softness == 0) return value > cloud_.threshold ? inside : 0;
     return inside * smooth_step(cloud_.threshold, cloud_.threshold + cloud_.edge_softness, value);
 }

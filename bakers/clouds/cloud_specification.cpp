@@ -51,7 +51,7 @@ float shaped(const CloudPlan& plan, const SliceShape& slice, const Columns& colu
         const float erosion = slice.erosion * (d + slice.billow * (1.0f - 2.0f * d));
         value = std::max((base - erosion) / (1.0f - erosion), 0.0f);
     }
-    return plan.threshold_in_file ? density(plan, value) : value;
+    return plan.threshold_in_file ? density(plan, value) * slice.water : value;
 }
 
 }  // namespace

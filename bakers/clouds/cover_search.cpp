@@ -44,7 +44,8 @@ class CoverSearch {
     CoverSearch(const CloudPlan& plan, const CoverRequest& request, const BakeOptions& options)
         : plan_(plan), request_(request), width_(static_cast<std::size_t>(plan.size[0])) {
         const CloudField field(full_plan(plan));
-        const double least = least_cloud();
+        std::vector<double> least;  // of each slice
+        for (const SliceShape& slice : plan.slices) least.push_back(least_cloud(slice.water));
         peaks_.assign(width_ * static_cast<std::size_t>(plan.size[1]), -kInfinity);
         for_each_tile((plan.size[1] + kRows - 1) / kRows, options, "cover",
                       [&](int tile) { find_peaks(field, least, tile * kRows); });
@@ -83,19 +84,19 @@ class CoverSearch {
         return static_cast<double>(columns) / static_cast<double>(peaks_.size());
     }
 
-    bool is_cloud(float v) const {
-        finish(plan_, 1, &v);
+    bool is_cloud(float v, float water) const {
+        finish(plan_, water, 1, &v);
         return round_to_pixel_type(double{v}, request_.pixel_type) > request_.level;
     }
 
     // The least v that is stored as cloud, by bisection of the bits of floats up to 1e9.
-    double least_cloud() const {
+    double least_cloud(float water) const {
         std::uint32_t low = 0;
         auto high = std::bit_cast<std::uint32_t>(1e9F);
-        if (!is_cloud(std::bit_cast<float>(high))) return kInfinity;
+        if (!is_cloud(std::bit_cast<float>(high), water)) return kInfinity;
         while (high - low > 1) {
             const std::uint32_t middle = low + (high - low) / 2;
-            (is_cloud(std::bit_cast<float>(middle)) ? high : low) = middle;
+            (is_cloud(std::bit_cast<float>(middle), water) ? high : low) = middle;
         }
         return double{std::bit_cast<float>(low)};
     }
@@ -106,7 +107,7 @@ class CoverSearch {
         return std::min(q, (1 - e) * v + e - double{plan_.level()});
     }
 
-    void find_peaks(const CloudField& field, double least, int first_row) {
+    void find_peaks(const CloudField& field, const std::vector<double>& least, int first_row) {
         const int rows = std::min(kRows, plan_.size[1] - first_row);
         std::vector<float> values;
         std::vector<float> details;
@@ -125,10 +126,11 @@ class CoverSearch {
             const std::size_t slice = width_ * static_cast<std::size_t>(rows);
             for (std::size_t i = 0; i < values.size(); ++i) {
                 if (!(values[i] > 0)) continue;
-                const SliceShape& shape = plan_.slices[static_cast<std::size_t>(z) + i / slice];
+                const std::size_t level = static_cast<std::size_t>(z) + i / slice;
+                const SliceShape& shape = plan_.slices[level];
                 const double e = plan_.detail ? erosion_of(shape, details[i]) : 0;
                 double& peak = peaks[i % slice];
-                peak = std::max(peak, margin(double{values[i]}, e, least));
+                peak = std::max(peak, margin(double{values[i]}, e, least[level]));
             }
         }
     }

@@ -89,7 +89,7 @@ void Erode(const SliceShape& slice, const float* detail, float level, std::size_
     }
 }
 
-void Finish(const CloudPlan& plan, std::size_t count, float* values) {
+void Finish(const CloudPlan& plan, float water, std::size_t count, float* values) {
     const FloatVector zero = hn::Zero(kFloats);
     const FloatVector one = constant(1);
     const FloatVector threshold = constant(plan.threshold);
@@ -110,6 +110,7 @@ void Finish(const CloudPlan& plan, std::size_t count, float* values) {
                 hn::Mul(hn::Mul(x, x), hn::Sub(constant(3), hn::Mul(constant(2), x)));
             value = hn::Mul(value, edge);
         }
+        if (plan.threshold_in_file) value = hn::Mul(value, constant(water));
         store(value, values + i, left);
     }
 }
@@ -135,8 +136,8 @@ void erode(const SliceShape& slice, const float* detail, float level, std::size_
     HWY_DYNAMIC_DISPATCH(Erode)(slice, detail, level, count, values);
 }
 
-void finish(const CloudPlan& plan, std::size_t count, float* values) {
-    HWY_DYNAMIC_DISPATCH(Finish)(plan, count, values);
+void finish(const CloudPlan& plan, float water, std::size_t count, float* values) {
+    HWY_DYNAMIC_DISPATCH(Finish)(plan, water, count, values);
 }
 
 }  // namespace skybake::cloud

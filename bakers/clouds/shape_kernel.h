@@ -26,7 +26,7 @@ bool shape_base(const SliceShape& slice, const ColumnRow& columns, float level, 
 void erode(const SliceShape& slice, const float* detail, float level, std::size_t count,
            float* values);
 
-// Replaces each b in `values` by max(0, b) or, with threshold_in_file, by the density.
-void finish(const CloudPlan& plan, std::size_t count, float* values);
+// Replaces each b in `values` by max(0, b) or, with threshold_in_file, by the density of a slice.
+void finish(const CloudPlan& plan, float water, std::size_t count, float* values);
 
 }  // namespace skybake::cloud

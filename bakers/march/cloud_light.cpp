@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "bakers/air/particles/phase_function.h"
 #include "bakers/math/parallel.h"
 #include "bakers/math/transcendental.h"
 #include "bakers/occupancy/cell_grid.h"
@@ -15,7 +14,7 @@ using Plane = std::vector<double>;
 // Returns (1 - g) sigma h / 2 for each block, plane by plane.
 std::vector<Plane> diffuse_depths(const CloudMedium& medium, const VoxelBlocks& blocks,
                                   int threads) {
-    const double backward = backward_share();
+    const double backward = backward_share(cloud_phase(medium.optics.particles));
     const double height_m = medium.extent_m[2] / blocks.size[2];
     std::vector<Plane> planes(static_cast<std::size_t>(blocks.size[2]),
                               Plane(blocks.plane_count()));
@@ -83,8 +82,7 @@ double carry(const CloudMedium& medium, const VoxelBlocks& blocks, const std::ve
 
 }  // namespace
 
-std::array<OctavePhase, kOctaves> octave_phases() {
-    const DropletPhase phase = droplet_phase(kDropletDiameter_um);
+std::array<OctavePhase, kOctaves> octave_phases(const CloudPhase& phase) {
     std::array<OctavePhase, kOctaves> octaves;
     double brightness = 1;
     double eccentricity = 1;
@@ -117,34 +115,5 @@ DiffuseShare diffuse_share(const CloudMedium& medium, int block, int threads) {
     result.from_ground = padded_volume(shares.data(), blocks.size, 0, 1, threads);
     return result;
 }
-
-DropletPhase droplet_phase(double diameter_um) {
-    const double d = diameter_um;
-    return {exponential(-0.0990567 / (d - 1.67154)),
-            exponential(-2.20679 / (d + 3.91029) - 0.428934),
-            exponential(3.62489 - 8.29288 / (d + 5.52825)),
-            exponential(-0.599085 / (d - 0.641583) - 0.665888)};
-}
-
-DropletPhase widened(const DropletPhase& phase, double eccentricity) {
-    return {phase.hg_g * eccentricity, phase.draine_g * eccentricity,
-            phase.draine_alpha * eccentricity, phase.draine_share};
-}
-
-double phase_value(const DropletPhase& phase, double offset) {
-    return (1 - phase.draine_share) * henyey_greenstein(phase.hg_g, offset, 2 - offset) +
-           phase.draine_share * draine(phase.draine_g, phase.draine_alpha, offset, 2 - offset);
-}
-
-// The mean cosine of Draine's function follows from the moments of Henyey-Greenstein's: g for u, (1
-// + 2 g^2) / 3 for u^2 and (3 g + 2 g^3) / 5 for u^3.
-double mean_cosine(const DropletPhase& phase) {
-    const double g = phase.draine_g;
-    const double alpha = phase.draine_alpha;
-    const double draine = g * (1 + alpha * (3 + 2 * g * g) / 5) / (1 + alpha * (1 + 2 * g * g) / 3);
-    return (1 - phase.draine_share) * phase.hg_g + phase.draine_share * draine;
-}
-
-double backward_share() { return 1 - mean_cosine(droplet_phase(kDropletDiameter_um)); }
 
 }  // namespace skybake

@@ -1,5 +1,4 @@
-// The light that reaches a point within a cloud where none is solved for (light_in_cloud.h), and the phase
-// function of cloud droplets.
+// The light that reaches a point within a cloud where none is solved for (light_in_cloud.h).
 //
 // Sunlight follows Wrenninge, Kulla & Lundqvist, "Oz: The Great and Volumetric", SIGGRAPH Talks
 // 2013, and Hillaire, "Physically Based Sky, Atmosphere and Cloud Rendering in Frostbite", 2016.
@@ -31,56 +30,21 @@
 
 #include <array>
 
+#include "bakers/air/cloud_phase.h"
 #include "bakers/march/cloud_medium.h"
 
 namespace skybake {
 
-// The phase function of cloud droplets: a blend of Henyey-Greenstein's and Draine's functions,
-// which fits Mie's theory for water droplets of 5 to 50 um and any visible wavelength.
-//
-//   p(u) = (1 - w) HG(g_hg; u) + w D(g_d, alpha; u)                                        1/sr
-//   HG(g; u) = 1/4pi (1 - g^2) / (1 + g^2 - 2 g u)^(3/2)
-//   D(g, alpha; u) = HG(g; u) (1 + alpha u^2) / (1 + alpha (1 + 2 g^2) / 3)
-//
-// with u the cosine of the scattering angle and w, g_hg, g_d, alpha functions of the droplets'
-// diameter. Jendersie & d'Eon, "An Approximate Mie Scattering Function for Fog and Cloud
-// Rendering", SIGGRAPH Talks 2023; Draine 2003.
-struct DropletPhase {
-    double hg_g = 0;
-    double draine_g = 0;
-    double draine_alpha = 0;
-    double draine_share = 0;  // w
-};
-
-// The paper's fit for 5 <= diameter <= 50 um.
-DropletPhase droplet_phase(double diameter_um);
-
-// Multiplies g_hg, g_d and alpha by `eccentricity` in [0, 1]; 0 gives isotropic scattering.
-DropletPhase widened(const DropletPhase& phase, double eccentricity);
-
-// Returns the phase function in 1/sr at the cosine 1 - `offset`. This form stays exact near the
-// forward peak.
-double phase_value(const DropletPhase& phase, double offset);
-
-// The mean cosine g of the scattering angle.
-double mean_cosine(const DropletPhase& phase);
-
-// The share 1 - g of light that droplets of the usual diameter send back, as two-stream theory counts it.
-double backward_share();
-
 inline constexpr int kOctaves = 8;
 inline constexpr double kOctaveBrightness = 0.7;  // b
 inline constexpr double kOctaveHalving = 0.5;     // a and c
-// A typical value for cumulus (Miles, Verlinde & Clothiaux 2000: effective diameters of 8 to 16
-// um).
-inline constexpr double kDropletDiameter_um = 12;
 
 // The phase function p_n of an octave and its brightness b^n.
 struct OctavePhase {
     double brightness = 1;
-    DropletPhase phase;
+    CloudPhase phase;
 };
-std::array<OctavePhase, kOctaves> octave_phases();
+std::array<OctavePhase, kOctaves> octave_phases(const CloudPhase& phase);
 
 // Returns J / E by the sum above.
 double sun_scattering(const std::array<OctavePhase, kOctaves>& octaves, double offset, double tau);

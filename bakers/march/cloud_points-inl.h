@@ -93,7 +93,7 @@ HWY_INLINE OctaveLanes octaves_at(const CloudMarch& march, FloatLanes offset) {
     OctaveLanes lanes;
     const FloatLanes u = FloatLanes(1.0F) - offset;
     for (std::size_t n = 0; n < kOctaves; ++n) {
-        const DropletPhase& phase = march.octaves[n].phase;
+        const CloudPhase& phase = march.octaves[n].phase;
         const double brightness = march.octaves[n].brightness;
         const double g = phase.draine_g;
         const double alpha = phase.draine_alpha;

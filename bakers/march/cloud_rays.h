@@ -83,14 +83,14 @@ struct CloudMarch {
     const DiffuseShare* diffuse = nullptr;
     // Takes the place of `diffuse` and of octaves, and thins what rays meet by its share; null: none is solved.
     const LightInCloud* solved = nullptr;
-    std::array<OctavePhase, kOctaves> octaves = octave_phases();
-    std::array<float, 3> origin{};           // of all rays, in voxels
-    std::array<float, 3> light_direction{};  // towards the sun, in voxels per metre
-    float step_m = 1;                        // along rays, where they begin
-    float growth = 0;                        // of those steps
-    float light_step_m = 1;                  // towards the sun
-    std::vector<float> sun_leaps;            // of samples towards the sun (sun_leaps.h), if leaping
-    float light_samples = 0;                 // the most per march towards the sun; an integer
+    std::array<OctavePhase, kOctaves> octaves{};  // of octave_phases
+    std::array<float, 3> origin{};                // of all rays, in voxels
+    std::array<float, 3> light_direction{};       // towards the sun, in voxels per metre
+    float step_m = 1;                             // along rays, where they begin
+    float growth = 0;                             // of those steps
+    float light_step_m = 1;                       // towards the sun
+    std::vector<float> sun_leaps;  // of samples towards the sun (sun_leaps.h), if leaping
+    float light_samples = 0;       // the most per march towards the sun; an integer
     // Along rays, extinction falls smoothly from its full value at the first distance to 0 at the
     // second. It is the full value everywhere if both are 0.
     float fade_from_m = 0;

@@ -111,6 +111,7 @@ CloudMarch LayerMarch::march_of(const Layer& layer, const DiffuseShare& diffuse,
     march.medium = &medium;
     march.diffuse = &diffuse;
     march.solved = layer.solved;
+    march.octaves = octave_phases(cloud_phase(medium.optics.particles));
     glm::dvec3 light_step{};  // in voxels
     for (std::size_t a = 0; a < 3; ++a) {
         const double origin = position_m_[a] - (a == 2 ? medium.base_m : 0);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bakers/march/cloud_light.h"
 #include "bakers/march/forward_mapping.h"
 #include "bakers/math/harmonics.h"
 #include "bakers/math/transcendental.h"
@@ -12,11 +11,6 @@ namespace skybake {
 namespace {
 
 using CellLight = std::array<float, LightInCloud::kAll>;
-
-const DropletPhase& droplets() {
-    static const DropletPhase phase = droplet_phase(kDropletDiameter_um);
-    return phase;
-}
 
 // Two neighbours along an axis and the weight of the second.
 struct Pair {
@@ -115,7 +109,7 @@ LitRay lit_ray(const LightInCloud& light, const glm::dvec3& look, double offset)
     const Harmonics values = harmonics(-look);
     std::ranges::transform(values, ray.harmonics.begin(),
                            [](double value) { return static_cast<float>(value); });
-    ray.once = phase_value(droplets(), offset) / light.share;
+    ray.once = phase_value(light.phase, offset) / light.share;
     ray.forward = std::max(1 - offset, 0.0);
     ray.column = forward_scattering::angle_coordinate_of_offset(offset) * (light.forward.width - 1);
     return ray;
@@ -123,8 +117,7 @@ LitRay lit_ray(const LightInCloud& light, const glm::dvec3& look, double offset)
 
 PointLight light_of(const LightInCloud& light, const LitRay& ray, const LitPoint& point) {
     const CellLight values = coefficients_at(light, point.place);
-    static const double kBackwards = backward_share();
-    const double passed = 2 / (2 + kBackwards * double{point.beyond});
+    const double passed = 2 / (2 + light.backwards * double{point.beyond});
     const float* sky = values.data() + LightInCloud::kSun;
     PointLight found;
     found.sun = static_cast<float>(

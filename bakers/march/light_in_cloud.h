@@ -7,7 +7,7 @@
 //   E (p(u) / s exp(-s tau) F(u, tau) + sum_lm a_lm Y_lm(-d)) + L(sky) sum b_lm Y_lm + L(ground) sum c_lm Y_lm
 //
 // E is the sun's irradiance, L the mean radiance of a hemisphere, tau the optical depth towards the sun, p
-// the phase function of droplets, and F the factor of light that goes on by small angles
+// the phase function, and F the factor of light that goes on by small angles
 // (assets/forward_scattering/small_angles.h), which is below 0 near the sun behind thick cloud. The coefficients
 // a, b and c stand in cells of the layer.
 //
@@ -21,6 +21,7 @@
 #include <array>
 #include <cstddef>
 
+#include "bakers/air/cloud_phase.h"
 #include "bakers/field/image.h"
 #include "bakers/math/memory.h"
 #include "bakers/math/vectors.h"
@@ -33,6 +34,8 @@ struct LightInCloud {
     static constexpr std::size_t kHemisphere = 4;
     static constexpr std::size_t kAll = kSun + 2 * kHemisphere;
 
+    CloudPhase phase;            // p
+    double backwards = 0;        // its backward_share
     double share = 1;            // s
     std::array<int, 3> cells{};  // of the tile
     // The coefficients a, b, c of each cell, x fastest, with one more cell on each side as a PaddedVolume

@@ -104,7 +104,8 @@ void CloudTruth::trace(double paths) {
         cloud_light::LayerSources sources;
         sources.sun = 1;
         sources.sun_direction = towards_sun(sun_deg);
-        of_suns.emplace_back(layer_, cloud_light::droplet_scattering(kDropletDiameter_um, 1),
+        of_suns.emplace_back(layer_,
+                             cloud_light::scattering_of(cloud_phase(layer_.optics.particles), 1),
                              sources, options_.threads);
     }
     const glm::dvec3 voxels(layer_.size[0], layer_.size[1], layer_.size[2]);

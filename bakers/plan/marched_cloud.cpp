@@ -15,19 +15,12 @@
 namespace skybake {
 
 using cloud_light::CloudLayer;
-using cloud_light::CloudScattering;
 
 namespace {
 
 // A march ends where it sees less than this of what follows.
 constexpr double kLeastSeen = 1e-3;
 constexpr double kAlbedo = 1;
-
-const CloudScattering& droplets() {
-    static const CloudScattering scattering =
-        cloud_light::droplet_scattering(kDropletDiameter_um, kAlbedo);
-    return scattering;
-}
 
 glm::dvec3 extent_m(const CloudLayer& layer) {
     return {layer.size[0] * layer.voxel_m[0], layer.size[1] * layer.voxel_m[1],
@@ -98,10 +91,14 @@ class SampleLight {
           textures_(textures),
           depth_(way, textures, sun),
           offset_(glm::dot(look - sun, look - sun) / 2),
-          phase_(cloud_light::phase_value(droplets(), offset_, 2 - offset_)),
+          cloud_phase_(cloud_phase(textures.layer->optics.particles)),
+          octaves_(octave_phases(cloud_phase_)),
+          phase_(kAlbedo * phase_value(cloud_phase_, offset_)),
           values_(harmonics(-look)) {
         if (way.lighting == CloudLighting::radiance) {
-            share_ = cloud_light::scaled(droplets(), way.degree).extinction_share;
+            share_ =
+                cloud_light::scaled(cloud_light::scattering_of(cloud_phase_, kAlbedo), way.degree)
+                    .extinction_share;
         }
     }
 
@@ -109,11 +106,10 @@ class SampleLight {
     double share() const { return share_; }
 
     double at(const glm::dvec3& place) const {
-        static const auto octaves = octave_phases();
         if (way_.lighting != CloudLighting::radiance) {
             const double depth = depth_.at(place);
             return way_.single ? phase_ * std::exp(-depth)
-                               : sun_scattering(octaves, offset_, depth);
+                               : sun_scattering(octaves_, offset_, depth);
         }
         const double depth = textures_.depth->at(place);
         const double first = phase_ / share_ * std::exp(-share_ * depth) * small_angles(depth);
@@ -130,6 +126,8 @@ class SampleLight {
     const CloudTextures& textures_;
     SunDepth depth_;
     double offset_;  // 1 - cosine of the scattering angle
+    CloudPhase cloud_phase_;
+    std::array<OctavePhase, kOctaves> octaves_;
     double phase_;
     Harmonics values_;
     double share_ = 1;

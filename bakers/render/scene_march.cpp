@@ -32,6 +32,7 @@ CloudMarch march_of(const SceneLayer& layer, const DiffuseShare& diffuse, const 
     march.medium = &medium;
     march.diffuse = &diffuse;
     march.solved = layer.solved;
+    march.octaves = octave_phases(cloud_phase(medium.optics.particles));
     const glm::dvec3 direction = direction_of(sun.elevation_degrees, sun.azimuth_degrees);
     for (std::size_t a = 0; a < 3; ++a) {
         march.light_direction[a] = static_cast<float>(direction[a] / medium.meters_per_voxel(a));

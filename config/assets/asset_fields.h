@@ -188,7 +188,7 @@ inline constexpr Range droplet_range{5e-6, 50e-6};
 inline constexpr Field droplet_diameter_field =
     key("droplet_diameter", Kind::length,
         "diameter of the droplets, which chooses their phase function", droplet_range,
-        Default{R"("12 um")"}, Hint{"clouds have 8 to 30 um"},
+        Default{R"("12 um")"}, Hint{"clouds have 8 to 30 um; it says nothing of ice"},
         Cited{"Jendersie & d'Eon 2023, \"An Approximate Mie Scattering Function for Fog and Cloud "
               "Rendering\""});
 

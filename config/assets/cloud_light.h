@@ -38,7 +38,7 @@ struct CloudLightBake : AssetFiles {
     int part = 1;                       // which four of the coefficients, counted from 1
     int cell = 4;                       // voxels along each edge of a texel
     std::optional<double> max_error;    // instead of cell: bound on the RMS error of lookups
-    Length droplet_diameter{12e-6};     // of radiance: chooses the phase function
+    Length droplet_diameter{12e-6};     // of radiance: chooses the phase function of droplets
     double single_scattering_albedo = 1;
 };
 

@@ -3,9 +3,18 @@
 #include "config/assets/asset_fields.h"
 #include "config/assets/asset_kind.h"
 #include "config/fields/fields.h"
+#include "config/sections/sections.h"
 
 namespace skybake::config {
 namespace {
+
+constexpr std::string_view droplets[] = {"droplets"};
+
+constexpr Field when_droplets(Field field) {
+    field.selector = "particles";
+    field.selected_by = droplets;
+    return field;
+}
 
 const Row<ForwardScatteringBake> forward_scattering_table[] = {
     {"size", Kind::size, &ForwardScatteringBake::size,
@@ -15,7 +24,9 @@ const Row<ForwardScatteringBake> forward_scattering_table[] = {
     {"degree", Kind::integer, &ForwardScatteringBake::degree,
      "degree of the harmonics of cloud_light that hold the other light", harmonics_degree_range,
      Default{"3"}},
-    {droplet_diameter_field, &ForwardScatteringBake::droplet_diameter},
+    {"particles", Kind::choice, &ForwardScatteringBake::particles, "what the cloud consists of",
+     cloud_particles_choices, Default{R"("droplets")"}},
+    {when_droplets(droplet_diameter_field), &ForwardScatteringBake::droplet_diameter},
     {single_scattering_albedo_field, &ForwardScatteringBake::single_scattering_albedo},
 };
 

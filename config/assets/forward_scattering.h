@@ -7,6 +7,7 @@
 
 #include "config/assets/asset.h"
 #include "config/sections/files.h"
+#include "config/sections/forward.h"
 #include "config/text/quantity.h"
 
 namespace skybake::config {
@@ -15,7 +16,8 @@ struct ForwardScatteringBake : AssetFiles {
     std::array<int, 2> size{};        // texels along the angle and along the optical depth
     std::optional<double> max_error;  // instead of size: bound on the maximum lookup error
     int degree = 3;                   // of the harmonics that hold the other light
-    Length droplet_diameter{12e-6};   // chooses the phase function
+    CloudParticles particles{};
+    Length droplet_diameter{12e-6};  // chooses the phase function of droplets
     double single_scattering_albedo = 1;
 };
 

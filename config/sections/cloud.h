@@ -92,10 +92,16 @@ struct Convection {
     std::uint64_t seed = 0;
     double minutes = 0;       // for which the cloud grows
     double loop_minutes = 0;  // of the flow that a loop of `period` frames shows
-    double relief = 0;   // of its detail noise, as a share of the width of its largest billows
+    double relief = 0;        // of its detail noise, as a share of the width of its largest billows
 
     bool operator==(const Convection&) const = default;
 };
+
+// The particles that a cloud consists of, which choose its phase function (bakers/air/cloud_phase.h).
+enum class CloudParticles { droplets, ice };
+
+// How much water full cloud has by height.
+enum class CloudWater { even, rising };
 
 enum class ThresholdAt { bake, runtime };
 enum class CloudChannels { density, noise };
@@ -123,12 +129,15 @@ struct Cloud {
     double edge_softness = 0;
     ThresholdAt threshold_at = ThresholdAt::bake;
     std::optional<double> full_at;  // the value that becomes density 1; for threshold_at = bake
+    CloudWater water = CloudWater::even;  // for threshold_at = bake
     CloudChannels channels = CloudChannels::density;
     InverseLength extinction_scale;  // extinction of density 1
-    std::vector<Tower> towers;       // in the order of the recipe
-    int period = 0;  // frames of the loop in which towers live or the cloud flows; 0: it stands still
-    int time = 0;                    // the frame; any integer, as frames repeat
-    std::array<double, 2> drift{};   // tiles per loop that the wind carries towers along x and y
+    CloudParticles particles = CloudParticles::droplets;
+    std::vector<Tower> towers;  // in the order of the recipe
+    int period =
+        0;         // frames of the loop in which towers live or the cloud flows; 0: it stands still
+    int time = 0;  // the frame; any integer, as frames repeat
+    std::array<double, 2> drift{};  // tiles per loop that the wind carries towers along x and y
 
     bool operator==(const Cloud&) const = default;
 };

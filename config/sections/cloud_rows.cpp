@@ -120,6 +120,13 @@ constexpr Choice threshold_at_choices[] = {
      "the files hold v * smoothstep(threshold, threshold + edge_softness, v)"},
     {ThresholdAt::runtime, "runtime", "the files hold v itself; the runtime applies the threshold"},
 };
+constexpr Choice water_choices[] = {
+    {CloudWater::even, "even", "full cloud is as dense at its base as at its top"},
+    {CloudWater::rising, "rising",
+     "the density is h^(2/3) times that: the water of air that rises grows with the height, and "
+     "its "
+     "droplets are as many at all heights"},
+};
 constexpr Choice channels_choices[] = {
     {CloudChannels::density, "density", "one channel, the density"},
     {CloudChannels::noise, "noise",
@@ -129,6 +136,14 @@ constexpr Choice shape_choices[] = {
     {CloudShape::convection, "convection",
      "warm air that rises and condenses: the table convection"},
 };
+constexpr std::string_view brenguier_2000 =
+    "Brenguier et al. 2000, Radiative Properties of Boundary Layer Clouds: Droplet Effective "
+    "Radius "
+    "versus Number Concentration";
+constexpr std::string_view key_2002 =
+    "Key, Yang, Baum & Nasiri 2002, Parameterization of shortwave ice cloud optical properties for "
+    "various particle habits";
+
 // This is the place of the threshold for which a key applies.
 constexpr std::string_view at_bake[] = {"bake"};
 
@@ -157,8 +172,9 @@ const CloudField cloud_table[] = {
      Needs{"detail"}},
     {"erosion", Kind::pair, &Cloud::erosion,
      "how strongly detail erodes, at the base and at the top", erosion_range,
-     Default{"[0.2, 0.35]"}, Hint{"clouds that grow have relief in its place, and [0, 0] by default"},
-     Needs{"detail"}, Cited{schneider_2017}},
+     Default{"[0.2, 0.35]"},
+     Hint{"clouds that grow have relief in its place, and [0, 0] by default"}, Needs{"detail"},
+     Cited{schneider_2017}},
     {"wisp_height", Kind::number, &Cloud::wisp_height,
      "height up to which erosion turns from wisps to billows", unit_range, Default{"0.1"},
      Needs{"detail"}, Cited{schneider_2015}},
@@ -199,11 +215,17 @@ const CloudField cloud_table[] = {
      "the value v from which the density is 1; a lower one gives denser cores and sharper edges; "
      "without it the density is v",
      full_range, Hint{"cumulus has 0.1 to 0.3"}, When{"threshold_at", at_bake}},
+    {"water", Kind::choice, &Cloud::water, "how dense full cloud is by height", water_choices,
+     Default{R"("even")"}, Hint{"layers that rising air makes have soft bases with \"rising\""},
+     Exclusive{"source", "noise"}, When{"threshold_at", at_bake}, Cited{brenguier_2000}},
     {"channels", Kind::choice, &Cloud::channels, "what the voxels hold", channels_choices,
      Default{R"("density")"}, Cited{olajos_2016}},
     {"extinction_scale", Kind::coefficient, &Cloud::extinction_scale,
      "extinction where the density is 1, for the files' metadata", coefficient_range,
      Default{R"("40 /km")"}, Hint{"water clouds have 10 to 100 /km"}},
+    {"particles", Kind::choice, &Cloud::particles,
+     "what the cloud consists of, which chooses its phase function", cloud_particles_choices,
+     Default{R"("droplets")"}, Hint{"cirrus is of ice"}, Cited{key_2002}},
     {"period", Kind::integer, &Cloud::period,
      "frames of the loop in which towers live and drift, or a cloud that grows flows; without it "
      "they stand still",

@@ -15,6 +15,7 @@ struct Parameters;
 struct Particles;
 struct VolumeFile;
 
+enum class CloudParticles;
 enum class Compression;
 enum class FileFormat;
 enum class Ktx2Compression;

@@ -51,6 +51,12 @@ std::span<const ParticlesField> particles_fields();
 std::span<const NoiseField> noise_fields();
 std::span<const NoiseChannelField> noise_channel_fields();
 std::span<const VolumeField> volume_fields();
+// Clouds have them, and tables of the light within clouds.
+inline constexpr Choice cloud_particles_choices[] = {
+    {CloudParticles::droplets, "droplets", "droplets of water"},
+    {CloudParticles::ice, "ice", "rough crystals of ice, which show neither bow nor halo"},
+};
+
 std::span<const CloudField> cloud_fields();
 std::span<const HeightProfileField> height_profile_fields();
 std::span<const CloudMapField> coverage_map_fields();

@@ -62,3 +62,8 @@ float cloud_droplet_phase(float diameter, float offset) {
                  (1.0 + alpha * (1.0 + 2.0 * wide_g * wide_g) / 3.0);
     return (1.0 - wide_share) * cloud_henyey_greenstein(peak_g, offset) + wide_share * wide;
 }
+
+// That of clouds with particles = "ice": rough crystals (Key et al. 2002).
+float cloud_ice_phase(float offset) {
+    return 0.99 * cloud_henyey_greenstein(0.779818, offset) + 0.01 * cloud_henyey_greenstein(-0.65, offset);
+}

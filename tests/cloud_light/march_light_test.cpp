@@ -115,7 +115,8 @@ std::vector<Seen> marched(const CloudMedium& medium, const SunDirection& sun,
 // `corner` is the place of the tile's corner in the layer.
 double rms_off(const CloudLayer& layer, const LayerSources& sources, const std::vector<Seen>& seen,
                double Seen::*member, const glm::dvec3& corner = {}) {
-    const CloudPaths paths(layer, droplet_scattering(kDropletDiameter_um, 1), sources, kThreads);
+    const CloudPaths paths(layer, scattering_of(cloud_phase(layer.optics.particles), 1), sources,
+                           kThreads);
     std::vector<TracedRadiance> traced(kViews);
     parallel_for(kViews, kThreads, [&](int i) {
         const View view = view_of(i);
@@ -143,9 +144,11 @@ LayerSources sun_of(const SunDirection& sun) {
     return sources;
 }
 
-TEST(MarchLight, SunlitCloudsAreThoseOfPaths) {
-    const CloudLayer layer = two_bodies();
-    const CloudMedium medium = medium_of(layer);
+void expect_paths_light(config::CloudParticles particles) {
+    CloudLayer layer = two_bodies();
+    layer.optics.particles = particles;
+    CloudMedium medium = medium_of(layer);
+    medium.optics.particles = particles;
     const BakeOptions options{.threads = kThreads};
     const MarchLight within(medium, kCellsOfPicture, options);
     for (const SunDirection& sun : {SunDirection{50, 20}, SunDirection{10, 200}}) {
@@ -155,6 +158,12 @@ TEST(MarchLight, SunlitCloudsAreThoseOfPaths) {
         EXPECT_LT(rms_off(layer, sun_of(sun), seen, &Seen::sun), 0.07) << sun.elevation_degrees;
     }
 }
+
+TEST(MarchLight, SunlitCloudsAreThoseOfPaths) {
+    expect_paths_light(config::CloudParticles::droplets);
+}
+
+TEST(MarchLight, SunlitIceIsThatOfPaths) { expect_paths_light(config::CloudParticles::ice); }
 
 // The same cloud in a tile that stands alone, by paths through a tile with margins without cloud that are wider than
 // its shadow.

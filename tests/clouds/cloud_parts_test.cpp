@@ -266,6 +266,22 @@ TEST(Cloud, IsFullFromAValueOn) {
     EXPECT_GT(saturated, 100);
 }
 
+// The liquid water of air that rises unmixed grows with the height above the base, and the extinction of a given
+// number of droplets with its power 2/3.
+TEST(Cloud, HasTheWaterOfAirThatRises) {
+    test::CloudCase any = plain_case({24, 24, 24});
+    const std::vector<float> even = whole(any);
+    any.cloud.water = config::CloudWater::rising;
+    const std::vector<float> rising = whole(any);
+    int filled = 0;
+    for (std::size_t i = 0; i < even.size(); ++i) {
+        const double height = (static_cast<double>(i / (24 * 24)) + 0.5) / 24;
+        EXPECT_NEAR(rising[i], even[i] * std::cbrt(height * height), 1e-6);
+        filled += even[i] > 0 ? 1 : 0;
+    }
+    EXPECT_GT(filled, 1000);
+}
+
 // A Gaussian whose neighbours add below 1e-6 where it counts.
 config::Tower column_tower() { return test::tower(0.5, 0.5, 0.15, 0.15, 1); }
 

@@ -146,6 +146,9 @@ inline CloudCase any_cloud() {
     if (is_full && cloud.threshold_at == config::ThresholdAt::bake) {
         cloud.full_at = *rc::gen::element(0.01, 0.2, 0.9, 3.0);
     }
+    if (cloud.threshold_at == config::ThresholdAt::bake) {
+        cloud.water = any_choice<config::CloudWater>(2);
+    }
     cloud.channels = any_choice<config::CloudChannels>(2);
     const int towers = *rc::gen::inRange(0, 4);
     for (int i = 0; i < towers; ++i) cloud.towers.push_back(any_tower());

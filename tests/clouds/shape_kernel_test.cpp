@@ -55,23 +55,23 @@ CloudPlan plan_with_softness(float softness) {
 
 TEST(ShapeKernel, AHardThresholdKeepsOnlyWhatIsAboveIt) {
     const CloudPlan plan = plan_with_softness(0);
-    expect_rows([&](std::size_t count, float* values) { finish(plan, count, values); },
-                [](float v) { return v > kLevel ? v : 0.0f; });
+    expect_rows([&](std::size_t count, float* values) { finish(plan, 0.7F, count, values); },
+                [](float v) { return v > kLevel ? v * 0.7F : 0.0f; });
 }
 
 TEST(ShapeKernel, ASoftEdgeBeginsAtTheThreshold) {
     const CloudPlan plan = plan_with_softness(0.5f);
-    expect_rows([&](std::size_t count, float* values) { finish(plan, count, values); },
+    expect_rows([&](std::size_t count, float* values) { finish(plan, 0.7F, count, values); },
                 [](float v) {
                     const float x = std::clamp((v - kLevel) * 2, 0.0f, 1.0f);
-                    return std::max(v, 0.0f) * ((x * x) * (3 - 2 * x));
+                    return std::max(v, 0.0f) * ((x * x) * (3 - 2 * x)) * 0.7F;
                 });
 }
 
 TEST(ShapeKernel, AThresholdOfTheRuntimeLeavesValuesAsTheyAre) {
     CloudPlan plan = plan_with_softness(0);
     plan.threshold_in_file = false;
-    expect_rows([&](std::size_t count, float* values) { finish(plan, count, values); },
+    expect_rows([&](std::size_t count, float* values) { finish(plan, 0.7F, count, values); },
                 [](float v) { return std::max(v, 0.0f); });
 }
 

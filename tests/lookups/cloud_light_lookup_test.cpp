@@ -63,7 +63,7 @@ TEST(CloudLightLookup, HarmonicsAreThoseOfTheBaker) {
     }
 }
 
-TEST(CloudLightLookup, DropletsScatterAsTheBakerSays) {
+TEST(CloudLightLookup, ParticlesScatterAsTheBakerSays) {
     for (const float diameter : {5.0F, 12.0F, 50.0F}) {
         const cloud_light::CloudScattering wanted =
             cloud_light::droplet_scattering(double{diameter}, 1);
@@ -74,6 +74,10 @@ TEST(CloudLightLookup, DropletsScatterAsTheBakerSays) {
                         1e-3 * value)
                 << diameter << ", " << offset;
         }
+    }
+    for (const float offset : {0.0F, 1e-5F, 0.01F, 0.5F, 1.0F, 1.9F, 2.0F}) {
+        const double value = phase_value(ice_phase(), double{offset});
+        EXPECT_NEAR(gpu::light_lookups::cloud_ice_phase(offset), value, 1e-5 * value) << offset;
     }
 }
 

@@ -18,8 +18,10 @@ struct Slab {
     double height = 600;
     double sigma = 0;
 
-    Slab(double tau, const SunDirection& sun) : sigma(tau / height) {
+    Slab(double tau, const SunDirection& sun, config::CloudParticles particles = {})
+        : sigma(tau / height) {
         config::Cloud cloud = cloud_of({1000, 1000, height}, 500);
+        cloud.particles = particles;
         cloud.extinction_scale.per_meter = sigma;
         const std::array<int, 3> size = {8, 8, 6};
         medium = medium_of(cloud, size, std::vector<float>(8 * 8 * 6, 1.0F));
@@ -50,10 +52,10 @@ TEST(CloudView, LetsThroughWhatBeerSays) {
 
 // The octaves' integral over a slab of optical depth tau, the light leaving it at its base:
 //   b^n p_n / mu  integral over depth t from 0 to tau of exp(-(tau - t) / mu - a^n t / mu_s).
-double slab_radiance(double tau, double mu, double mu_sun, double offset) {
+double slab_radiance(const CloudPhase& phase, double tau, double mu, double mu_sun, double offset) {
     double sum = 0;
     double a = 1;
-    for (const OctavePhase& octave : octave_phases()) {
+    for (const OctavePhase& octave : octave_phases(phase)) {
         const double rate = 1 / mu - a / mu_sun;
         const double integral = std::exp(-tau / mu) * (std::exp(tau * rate) - 1) / rate;
         sum += octave.brightness * phase_value(octave.phase, offset) * integral / mu;
@@ -62,28 +64,33 @@ double slab_radiance(double tau, double mu, double mu_sun, double offset) {
     return sum;
 }
 
+void expect_closed_form(double tau, config::CloudParticles particles, const CloudPhase& phase) {
+    const Slab slab(tau, {65, 170}, particles);
+    const glm::dvec3 sun = direction_of(65, 170);
+    const Image2<float> view = march_view(slab.medium, slab.settings, 1).results;
+    const CameraRays rays(slab.settings.camera, view.width, view.height);
+    for (int y = 0; y < view.height; ++y) {
+        for (int x = 0; x < view.width; ++x) {
+            const glm::dvec3 ray = rays.through(x, y);
+            const double wanted =
+                slab_radiance(phase, tau, ray[2], sun[2], one_minus_cosine(ray, sun));
+            const double made =
+                double{view.texel(x, y)[kSunAtBase]} + double{view.texel(x, y)[kSunAtTop]};
+            EXPECT_NEAR(made, wanted, 0.01 * wanted) << tau;
+        }
+    }
+}
+
 TEST(CloudView, ScattersSunlightAsTheClosedFormSays) {
     for (const double tau : {0.02, 1.0, 6.0}) {
-        const Slab slab(tau, {65, 170});
-        const glm::dvec3 sun = direction_of(65, 170);
-        const Image2<float> view = march_view(slab.medium, slab.settings, 1).results;
-        const CameraRays rays(slab.settings.camera, view.width, view.height);
-        for (int y = 0; y < view.height; ++y) {
-            for (int x = 0; x < view.width; ++x) {
-                const glm::dvec3 ray = rays.through(x, y);
-                const double wanted =
-                    slab_radiance(tau, ray[2], sun[2], one_minus_cosine(ray, sun));
-                const double made =
-                    double{view.texel(x, y)[kSunAtBase]} + double{view.texel(x, y)[kSunAtTop]};
-                EXPECT_NEAR(made, wanted, 0.01 * wanted) << tau;
-            }
-        }
+        expect_closed_form(tau, config::CloudParticles::droplets, droplet_phase(12));
+        expect_closed_form(tau, config::CloudParticles::ice, ice_phase());
     }
 }
 
 // Returns the share of the sun's light that a slab sends back, by Gauss-like sums over directions.
 double plane_albedo(double tau, double mu_sun) {
-    const auto octaves = octave_phases();
+    const auto octaves = octave_phases(droplet_phase(kDropletDiameter_um));
     const double sun_level = std::sqrt(1 - mu_sun * mu_sun);
     constexpr int kMus = 64;
     constexpr int kAzimuths = 128;
@@ -119,25 +126,46 @@ TEST(CloudLight, OctavesSendBackLessThanComesInFromTwentyDegreesUp) {
     EXPECT_NEAR(plane_albedo(20, 1), 0.37, 0.01);
 }
 
-TEST(DropletPhase, IntegratesToOneWithItsMeanCosine) {
-    for (const double diameter : {5.0, 12.0, 50.0}) {
-        for (const double eccentricity : {1.0, 0.5, 0.0}) {
-            const DropletPhase phase = widened(droplet_phase(diameter), eccentricity);
-            // offset = 2 x^6: dense where the forward peak is.
-            constexpr int kSteps = 200000;
-            double sum = 0;
-            double moment = 0;
-            for (int i = 0; i < kSteps; ++i) {
-                const double x = (i + 0.5) / kSteps;
-                const double offset = 2 * std::pow(x, 6);
-                const double weight = 2 * M_PI * 12 * std::pow(x, 5) / kSteps;
-                sum += weight * phase_value(phase, offset);
-                moment += weight * phase_value(phase, offset) * (1 - offset);
-            }
-            EXPECT_NEAR(sum, 1, 1e-4);
-            EXPECT_NEAR(moment, mean_cosine(phase), 1e-4);
-        }
+// Checks that the integral over all directions is 1, and the mean cosine.
+void expect_normalized(const CloudPhase& phase) {
+    // offset = 2 x^6: dense where the forward peak is.
+    constexpr int kSteps = 200000;
+    double sum = 0;
+    double moment = 0;
+    for (int i = 0; i < kSteps; ++i) {
+        const double x = (i + 0.5) / kSteps;
+        const double offset = 2 * std::pow(x, 6);
+        const double weight = 2 * M_PI * 12 * std::pow(x, 5) / kSteps;
+        sum += weight * phase_value(phase, offset);
+        moment += weight * phase_value(phase, offset) * (1 - offset);
     }
+    EXPECT_NEAR(sum, 1, 1e-4);
+    EXPECT_NEAR(moment, mean_cosine(phase), 1e-4);
+}
+
+TEST(CloudPhase, IntegratesToOneWithItsMeanCosine) {
+    for (const double eccentricity : {1.0, 0.5, 0.0}) {
+        for (const double diameter : {5.0, 12.0, 50.0}) {
+            expect_normalized(widened(droplet_phase(diameter), eccentricity));
+        }
+        expect_normalized(widened(ice_phase(), eccentricity));
+    }
+}
+
+// Key et al. 2002, rough aggregates at 500 to 600 nm: g = 0.7655 at 50 um, and the backward function. Crystals with
+// rough faces have 0.75 to 0.78 (van Diedenhoven et al. 2014), and neither halo nor bow: light falls up to 130 degrees,
+// and less than twice as much comes back as goes to the side.
+TEST(CloudPhase, OfIceIsThatOfRoughAggregates) {
+    EXPECT_NEAR(mean_cosine(ice_phase()), 0.7655, 1e-4);
+    EXPECT_LT(phase_value(ice_phase(), 2), 2 * phase_value(ice_phase(), 1));
+    double before = phase_value(ice_phase(), 0);
+    for (double offset = 0.01; offset < 1.64; offset += 0.01) {
+        const double value = phase_value(ice_phase(), offset);
+        EXPECT_LT(value, before) << offset;
+        before = value;
+    }
+    EXPECT_EQ(cloud_phase(config::CloudParticles::ice).hg_g, ice_phase().hg_g);
+    EXPECT_EQ(cloud_phase(config::CloudParticles::droplets).hg_g, droplet_phase(12).hg_g);
 }
 
 // Bohren's 2 / (2 + (1 - g) tau).

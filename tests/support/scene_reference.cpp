@@ -137,7 +137,7 @@ ReferenceScene reference_scene(const std::vector<SceneLayer>& layers, const SunD
     }
     if (!(first < last)) return scene;
     const glm::dvec3 to_sun = direction_of(sun.elevation_degrees, sun.azimuth_degrees);
-    const auto octaves = octave_phases();
+    const auto octaves = octave_phases(droplet_phase(kDropletDiameter_um));
     const double step = (last - first) / steps;
     for (int i = 0; i < steps; ++i) {
         const double t = first + (i + 0.5) * step;

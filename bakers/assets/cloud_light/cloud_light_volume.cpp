@@ -83,10 +83,14 @@ void add_details(const CloudLayer& layer, const CloudLightBake& bake, Baked& vol
         add("part", static_cast<double>(bake.part));
     }
     if (config::is_radiance(bake.contents)) {
-        add("droplet_diameter_um", to_digits(bake.droplet_diameter.meters * 1e6, 12));
+        if (layer.optics.particles == config::CloudParticles::ice) {
+            add("particles", "ice");
+        } else {
+            add("droplet_diameter_um", to_digits(bake.droplet_diameter.meters * 1e6, 12));
+        }
         add("single_scattering_albedo", bake.single_scattering_albedo);
         add("extinction_share",
-            to_digits(cloud_light::scaled_scattering_of(bake).extinction_share, 12));
+            to_digits(cloud_light::scaled_scattering_of(layer, bake).extinction_share, 12));
     }
     const std::vector<glm::dvec3> suns = cloud_light::sun_directions(bake);
     for (std::size_t i = 0; i < suns.size(); ++i) {

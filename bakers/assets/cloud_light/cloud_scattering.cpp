@@ -2,20 +2,22 @@
 
 #include <cstddef>
 
-#include "bakers/march/cloud_light.h"
 #include "config/sections/layer.h"
 
 namespace skybake::cloud_light {
 
 CloudScattering droplet_scattering(double diameter_um, double albedo) {
-    const DropletPhase droplets = droplet_phase(diameter_um);
-    PhaseFunction peak = make_phase_function(config::Phase::henyey_greenstein, droplets.hg_g);
-    PhaseFunction wide = make_phase_function(config::Phase::henyey_greenstein, droplets.draine_g);
-    const double g = droplets.draine_g;
-    const double alpha = droplets.draine_alpha;
+    return scattering_of(droplet_phase(diameter_um), albedo);
+}
+
+CloudScattering scattering_of(const CloudPhase& phase, double albedo) {
+    PhaseFunction peak = make_phase_function(config::Phase::henyey_greenstein, phase.hg_g);
+    PhaseFunction wide = make_phase_function(config::Phase::henyey_greenstein, phase.draine_g);
+    const double g = phase.draine_g;
+    const double alpha = phase.draine_alpha;
     wide.constant /= 1 + alpha * (1 + 2 * g * g) / 3;
     wide.quadratic = alpha * wide.constant;
-    return {{{1 - droplets.draine_share, peak}, {droplets.draine_share, wide}}, albedo};
+    return {{{1 - phase.draine_share, peak}, {phase.draine_share, wide}}, albedo};
 }
 
 double phase_value(const CloudScattering& scattering, double one_minus, double one_plus) {

@@ -13,6 +13,7 @@
 
 #include <vector>
 
+#include "bakers/air/cloud_phase.h"
 #include "bakers/air/particles/phase_function.h"
 
 namespace skybake::cloud_light {
@@ -28,8 +29,10 @@ struct CloudScattering {
     double albedo = 1;                  // of single scattering
 };
 
-// The fit of Mie's theory for droplets of water (march/cloud_light.h), 5 <= diameter <= 50 um.
+// The fit of Mie's theory for droplets of water (air/cloud_phase.h), 5 <= diameter <= 50 um.
 CloudScattering droplet_scattering(double diameter_um, double albedo);
+
+CloudScattering scattering_of(const CloudPhase& phase, double albedo);
 
 // The phase function in 1/sr at a scattering angle, given as 1 - cosine and 1 + cosine.
 double phase_value(const CloudScattering& scattering, double one_minus, double one_plus);

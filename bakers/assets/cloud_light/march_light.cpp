@@ -7,6 +7,7 @@
 #include "bakers/assets/forward_scattering/forward_table.h"
 #include "bakers/math/wrapped.h"
 #include "bakers/occupancy/cell_grid.h"
+#include "config/sections/cloud.h"
 
 namespace skybake::cloud_light {
 namespace {
@@ -18,8 +19,6 @@ constexpr double kAlbedo = 1;
 constexpr double kSeenChange = 2e-3;
 constexpr std::array<int, 2> kForwardTexels = {64, 128};  // along the angle and along the depth
 constexpr int kForwardSteps = 8;                          // of the integral, between two rows
-
-CloudScattering droplets() { return droplet_scattering(kDropletDiameter_um, kAlbedo); }
 
 PlaceGrid places_in(const std::array<int, 3>& voxels, double most_cells) {
     const int longest = *std::ranges::max_element(voxels);
@@ -55,8 +54,9 @@ CloudLayer layer_of(const CloudMedium& medium, const std::array<int, 3>& margin)
 }
 
 // Computes the integral of F over the depth, by the trapezoidal rule.
-Image2<float> make_forward_integrals() {
-    const forward_scattering::SmallAngles light(droplets(), kDegree);
+Image2<float> make_forward_integrals(config::CloudParticles particles) {
+    const forward_scattering::SmallAngles light(scattering_of(cloud_phase(particles), kAlbedo),
+                                                kDegree);
     Image2<float> table(kForwardTexels[0], kForwardTexels[1], 1);
     std::vector<ScatteringAngle> angles;
     for (int x = 0; x < table.width; ++x) {
@@ -83,10 +83,14 @@ Image2<float> make_forward_integrals() {
     return table;
 }
 
-// They are the same for all clouds.
-const Image2<float>& forward_integrals() {
-    static const Image2<float> table = make_forward_integrals();
-    return table;
+// They are the same for all clouds of the same particles.
+const Image2<float>& forward_integrals(config::CloudParticles particles) {
+    if (particles == config::CloudParticles::ice) {
+        static const Image2<float> ice = make_forward_integrals(particles);
+        return ice;
+    }
+    static const Image2<float> droplets = make_forward_integrals(particles);
+    return droplets;
 }
 
 // Calls visit(cell, x, y, z) for the padded cells of `light` and the places of the solution that they stand
@@ -144,9 +148,13 @@ MarchLight::MarchLight(const CloudMedium& medium, double most_cells, const BakeO
     if (!medium.repeats) layer->reach = {double{1} * voxels[0], double{1} * voxels[1]};
     layer_ = std::move(layer);
     places.voxels = layer_->size;
-    solver_ = std::make_unique<const RadianceSolver>(*layer_, places, droplets(), kDegree, options);
+    const config::CloudParticles particles = medium.optics.particles;
+    without_sun_.phase = cloud_phase(particles);
+    without_sun_.backwards = backward_share(without_sun_.phase);
+    solver_ = std::make_unique<const RadianceSolver>(
+        *layer_, places, scattering_of(without_sun_.phase, kAlbedo), kDegree, options);
     without_sun_.share = solver_->extinction_share();
-    without_sun_.forward = forward_integrals();
+    without_sun_.forward = forward_integrals(particles);
     std::array<int, 3> padded = without_sun_.cells;
     for (int& count : padded) count += 2;
     without_sun_.values.resize(occupancy::count_of(padded) * LightInCloud::kAll);

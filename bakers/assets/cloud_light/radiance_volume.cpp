@@ -111,12 +111,13 @@ TracedCoefficients traced_coefficients(const CloudPaths& paths, const glm::dvec3
 
 }  // namespace
 
-CloudScattering scattering_of(const CloudLightBake& bake) {
-    return droplet_scattering(bake.droplet_diameter.meters * 1e6, bake.single_scattering_albedo);
+CloudScattering scattering_of(const CloudLayer& layer, const CloudLightBake& bake) {
+    return scattering_of(cloud_phase(layer.optics.particles, bake.droplet_diameter.meters * 1e6),
+                         bake.single_scattering_albedo);
 }
 
-ScaledScattering scaled_scattering_of(const CloudLightBake& bake) {
-    return scaled(scattering_of(bake), bake.degree);
+ScaledScattering scaled_scattering_of(const CloudLayer& layer, const CloudLightBake& bake) {
+    return scaled(scattering_of(layer, bake), bake.degree);
 }
 
 double unshaded_coefficient(const CloudLightBake& bake) {
@@ -154,7 +155,7 @@ std::vector<std::vector<float>> radiance_values(const CloudLayer& layer, const P
     const auto solve = [&]() -> std::shared_ptr<const SolvedRadiance> {
         const BakeTime time(BakePart::light);
         auto solved = std::make_shared<const SolvedRadiance>(
-            solve_radiance(layer, places, scattering_of(bake), bake.degree,
+            solve_radiance(layer, places, scattering_of(layer, bake), bake.degree,
                            sources_of(bake, layer.sky.shape), options));
         return options.cancelled() ? nullptr : solved;
     };
@@ -176,9 +177,9 @@ VolumeReference radiance_reference(const CloudLayer& layer, const CloudLightBake
                                    int threads) {
     const LayerSources sources = sources_of(bake, layer.sky.reference);
     const auto paths =
-        std::make_shared<const CloudPaths>(layer, scattering_of(bake), sources, threads);
+        std::make_shared<const CloudPaths>(layer, scattering_of(layer, bake), sources, threads);
     return [&layer, paths, sources, bake,
-            scattering = scaled_scattering_of(bake)](const std::array<double, 3>& uvw) {
+            scattering = scaled_scattering_of(layer, bake)](const std::array<double, 3>& uvw) {
         glm::dvec3 place;
         for (std::size_t a = 0; a < 3; ++a) place[a] = uvw[a] * layer.size[a];
         // Places that differ along u have random numbers of their own.

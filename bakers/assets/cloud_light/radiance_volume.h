@@ -17,8 +17,8 @@
 namespace skybake::cloud_light {
 
 // How the cloud of a recipe scatters light, and without its forward peak.
-CloudScattering scattering_of(const CloudLightBake& bake);
-ScaledScattering scaled_scattering_of(const CloudLightBake& bake);
+CloudScattering scattering_of(const CloudLayer& layer, const CloudLightBake& bake);
+ScaledScattering scaled_scattering_of(const CloudLayer& layer, const CloudLightBake& bake);
 
 // Returns coefficient 0 of the source's own light at a point that no cloud shades: F / (2 sqrt(pi)) of
 // light of the fluence F, which is 1 of the sun and 2 pi of the sky and of the ground.

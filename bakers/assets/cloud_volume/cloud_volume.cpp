@@ -71,6 +71,7 @@ void add_details(const Cloud& cloud, const cloud::CloudPlan& plan, Baked& volume
     add("threshold_at", in_file ? "bake" : "runtime");
     if (cloud.full_at) add("full_at", *cloud.full_at);
     add("extinction_scale_per_m", cloud.extinction_scale.per_meter);
+    if (cloud.particles == config::CloudParticles::ice) add("particles", "ice");
     add("shaped_channels", static_cast<double>(plan.shaped_channels));
 }
 

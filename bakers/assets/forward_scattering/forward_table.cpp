@@ -10,6 +10,7 @@
 #include "bakers/assets/phase/phase_fit.h"
 #include "bakers/field/finish_table.h"
 #include "bakers/math/transcendental.h"
+#include "config/sections/cloud.h"
 
 namespace skybake::forward_scattering {
 
@@ -22,10 +23,12 @@ double degrees_of(const ScatteringAngle& angle) { return radians(angle) * 180 / 
 void describe(const ForwardScatteringBake& bake, const SmallAngles& light, Baked& table) {
     const std::string convention = "end points on texel centres";
     table.kind = "forward_scattering";
-    table.content =
-        "factor of the sunlight that droplets scatter once, phase function times exp(-s optical "
-        "depth) / s with s = extinction_share, which makes it all light that goes on by small "
-        "angles (dimensionless)";
+    const bool ice = bake.particles == config::CloudParticles::ice;
+    table.content = std::string("factor of the sunlight that ") +
+                    (ice ? "ice crystals" : "droplets") +
+                    " scatter once, phase function times exp(-s optical depth) / s "
+                    "with s = extinction_share, which makes it all light that goes on by small "
+                    "angles (dimensionless)";
     table.mapping = "small_angles";
     table.axes.resize(2);
     table.axes[0] = {"scattering_angle_deg", "x = sqrt(sin(angle / 2))", convention, 0, 180};
@@ -53,9 +56,8 @@ double angle_coordinate(double degrees) {
 }
 
 SmallAngles small_angles_of(const ForwardScatteringBake& bake) {
-    return {cloud_light::droplet_scattering(bake.droplet_diameter.meters * 1e6,
-                                            bake.single_scattering_albedo),
-            bake.degree};
+    const CloudPhase phase = cloud_phase(bake.particles, bake.droplet_diameter.meters * 1e6);
+    return {cloud_light::scattering_of(phase, bake.single_scattering_albedo), bake.degree};
 }
 
 TableModel forward_model(const SmallAngles& light) {

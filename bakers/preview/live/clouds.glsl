@@ -8,21 +8,22 @@ uniform float extinction_factor, view_step[CLOUDS], sun_step[CLOUDS], sun_sample
 uniform vec2 fade[CLOUDS];      // the distances between which a layer fades; it does not where both are 0
 uniform vec4 share_of[CLOUDS];  // blocks along x, y and z, and where they begin in the table along z
 
-const int OCTAVES = 8;
+const int OCTAVES = 8, ALL_OCTAVES = OCTAVES * CLOUDS;
 const float OPAQUE = 0.0009765625, SHARED_DEPTH = 0.125, SHARED_BEHIND = 0.015625;
 
 int fetches = 0;
 
-// Droplets of 12 um: Henyey-Greenstein's and Draine's functions (Jendersie and d'Eon 2023). Light that is
-// scattered n more times sees them wider by 2^-n (Wrenninge et al. 2013). u is 1 - cosine.
+// The phase function of droplets of 12 um or of ice: Henyey-Greenstein's and Draine's functions
+// (bakers/air/cloud_phase.h). Light that is scattered n more times sees it wider by 2^-n (Wrenninge et al. 2013). u is
+// 1 - cosine.
 float henyey_greenstein(float g, float u) {
     float b = (1.0 - g) * (1.0 - g) + 2.0 * g * u;
     return (1.0 - g * g) / (4.0 * PI * b * sqrt(b));
 }
-float droplets(float u, float wide) {
-    float g = DROPLETS.y * wide, alpha = DROPLETS.z * wide, c = 1.0 - u;
+float particles(vec4 phase, float u, float wide) {
+    float g = phase.y * wide, alpha = phase.z * wide, c = 1.0 - u;
     float draine = henyey_greenstein(g, u) * (1.0 + alpha * c * c) / (1.0 + alpha * (1.0 + 2.0 * g * g) / 3.0);
-    return mix(henyey_greenstein(DROPLETS.x * wide, u), draine, DROPLETS.w);
+    return mix(henyey_greenstein(phase.x * wide, u), draine, phase.w);
 }
 
 bool within(int layer, vec3 p) {
@@ -133,10 +134,10 @@ struct Cloud {
 };
 
 // The light at p, where a ray meets sunlight by `octaves`.
-vec4 light_at(int layer, vec3 p, float sigma, float jitter, float octaves[OCTAVES]) {
+vec4 light_at(int layer, vec3 p, float sigma, float jitter, float octaves[ALL_OCTAVES]) {
     float depth = depth_to_sun(layer, p + vec3(0.0, 0.0, BASE[layer]), sigma, jitter);
     float sunlit = 0.0, height = p.z / TILE[layer].z;
-    for (int n = 0; n < OCTAVES; ++n, depth *= 0.5) sunlit += octaves[n] * exp(-depth);
+    for (int n = 0; n < OCTAVES; ++n, depth *= 0.5) sunlit += octaves[layer * OCTAVES + n] * exp(-depth);
     return vec4(sunlit * (1.0 - height), sunlit * height, 0.5 * diffuse_shares(layer, p));
 }
 
@@ -161,7 +162,7 @@ Samples samples_in_layer(int layer, vec3 camera, vec3 ray, float growth) {
 }
 
 // Takes the next sample of a layer, or leaps.
-void take_sample(int layer, vec3 camera, vec3 ray, vec2 noise, float growth, float octaves[OCTAVES],
+void take_sample(int layer, vec3 camera, vec3 ray, vec2 noise, float growth, float octaves[ALL_OCTAVES],
                  inout Samples samples, inout Cloud cloud, inout float through) {
     float stride = view_step[layer] * (1.0 + growth * (2.0 * samples.k + 1.0));
     float t = sample_at(layer, samples.k + noise.x, growth);
@@ -195,11 +196,10 @@ void take_sample(int layer, vec3 camera, vec3 ray, vec2 noise, float growth, flo
 
 // Returns what is seen through all clouds by a pixel of an angle.
 float march_clouds(vec3 camera, vec3 ray, vec2 noise, float pixel, out Cloud clouds[CLOUDS]) {
-    float octaves[OCTAVES], u = 0.5 * dot(ray - sun, ray - sun), bright = 1.0, wide = 1.0, through = 1.0;
-    for (int n = 0; n < OCTAVES; ++n) {
-        octaves[n] = bright * droplets(u, wide);
-        bright *= 0.7;
-        wide *= 0.5;
+    float octaves[ALL_OCTAVES], u = 0.5 * dot(ray - sun, ray - sun), through = 1.0;
+    for (int i = 0; i < ALL_OCTAVES; ++i) {
+        float n = float(i % OCTAVES);
+        octaves[i] = pow(0.7, n) * particles(PHASE[i / OCTAVES], u, exp2(-n));
     }
     Samples samples[CLOUDS];
     for (int layer = 0; layer < CLOUDS; ++layer) {

@@ -81,7 +81,6 @@ std::string density_glsl(const CloudOptics& optics) {
 }
 
 std::string cloud_constants(const std::vector<LiveCloud>& clouds) {
-    const DropletPhase drops = droplet_phase(kDropletDiameter_um);
     return cloud_values("vec3", "TILE", clouds,
                         [](const CloudMedium& medium) { return glsl_vector(medium.extent_m); }) +
            cloud_values("vec3", "VOXELS", clouds,
@@ -100,9 +99,9 @@ std::string cloud_constants(const std::vector<LiveCloud>& clouds) {
                         [](const CloudMedium& medium) {
                             return glsl_number(double{medium.variation.greatest});
                         }) +
-           fmt::format("const vec4 DROPLETS = vec4({}, {}, {}, {});\n", glsl_number(drops.hg_g),
-                       glsl_number(drops.draine_g), glsl_number(drops.draine_alpha),
-                       glsl_number(drops.draine_share));
+           cloud_values("vec4", "PHASE", clouds, [](const CloudMedium& medium) {
+               return glsl_phase(cloud_phase(medium.optics.particles));
+           });
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ LiveJson cloud_json(const LiveCloud& cloud, const SceneLayer& layer, double grea
             {"extinction", optics.extinction_per_m},
             {"threshold", optics.has_edge ? LiveJson(optics.threshold) : LiveJson(nullptr)},
             {"edge_softness", optics.edge_softness},
-            {"backward", backward_share() / 2},
+            {"backward", backward_share(cloud_phase(optics.particles)) / 2},
             {"step", layer.step_m},
             {"voxel_edge", voxel_edge_m(medium)},
             {"most_sun_samples", kSunSamples},

@@ -32,7 +32,7 @@ Clouds NAME_seen(TABLES, LAYER, vec3 camera_m, vec3 ray, vec3 sun, float reach_m
     seen.through = 1.0;
     seen.distance_m = 0.0;
     if (nearest >= farthest) return seen;
-    CloudOctaves octaves = cloud_octaves(ray, sun);
+    CloudOctaves octaves = cloud_octaves(PHASE, ray, sun);
     float radius = baked_ground_radius_km(), low = 0.001 * base, high = 0.001 * (base + height);
     Light sun_low = air_sunlight(SUN_TABLE, low, (radius + low) * sun.z);
     Light sun_high = air_sunlight(SUN_TABLE, high, (radius + high) * sun.z);

@@ -5,16 +5,17 @@ struct Clouds {
     float distance_m;  // the mean distance of what is seen of them
 };
 
-// Droplets of 12 um: Henyey-Greenstein's and Draine's functions (Jendersie and d'Eon 2023), in 1/sr. `offset` is 1 -
-// cosine of the angle. Light that is scattered n more times sees them wider by 2^-n (Wrenninge et al. 2013).
+// The phase function of droplets of 12 um or of ice, in 1/sr: Henyey-Greenstein's function with phase.x and Draine's with
+// phase.y and phase.z, of which the share is phase.w (Jendersie and d'Eon 2023; Key et al. 2002). `offset` is 1 - cosine
+// of the angle. Light that is scattered n more times sees it wider by 2^-n (Wrenninge et al. 2013).
 float cloud_peak(float g, float offset) {
     float apart = (1.0 - g) * (1.0 - g) + 2.0 * g * offset;
     return 0.0795774715 * (1.0 - g * g) / (apart * sqrt(apart));
 }
-float cloud_droplets(float offset, float wide) {
-    float g = 0.56686 * wide, alpha = 23.385 * wide, cosine = 1.0 - offset;
+float cloud_phase(vec4 phase, float offset, float wide) {
+    float g = phase.y * wide, alpha = phase.z * wide, cosine = 1.0 - offset;
     float draine = cloud_peak(g, offset) * (1.0 + alpha * cosine * cosine) / (1.0 + alpha * (1.0 + 2.0 * g * g) / 3.0);
-    return mix(cloud_peak(0.99045 * wide, offset), draine, 0.48742);
+    return mix(cloud_peak(phase.x * wide, offset), draine, phase.w);
 }
 
 // What light that is scattered 0 to 3 and 4 to 7 more times adds, where no cloud takes any of it.
@@ -23,13 +24,13 @@ struct CloudOctaves {
     vec4 many;
 };
 
-CloudOctaves cloud_octaves(vec3 ray, vec3 sun) {
+CloudOctaves cloud_octaves(vec4 phase, vec3 ray, vec3 sun) {
     float offset = 0.5 * dot(ray - sun, ray - sun);
     CloudOctaves octaves;
-    octaves.few = vec4(cloud_droplets(offset, 1.0), cloud_droplets(offset, 0.5), cloud_droplets(offset, 0.25),
-                       cloud_droplets(offset, 0.125)) * vec4(1.0, 0.7, 0.49, 0.343);
-    octaves.many = vec4(cloud_droplets(offset, 0.0625), cloud_droplets(offset, 0.03125), cloud_droplets(offset, 0.015625),
-                        cloud_droplets(offset, 0.0078125)) * vec4(0.2401, 0.16807, 0.117649, 0.0823543);
+    octaves.few = vec4(cloud_phase(phase, offset, 1.0), cloud_phase(phase, offset, 0.5), cloud_phase(phase, offset, 0.25),
+                       cloud_phase(phase, offset, 0.125)) * vec4(1.0, 0.7, 0.49, 0.343);
+    octaves.many = vec4(cloud_phase(phase, offset, 0.0625), cloud_phase(phase, offset, 0.03125), cloud_phase(phase, offset, 0.015625),
+                        cloud_phase(phase, offset, 0.0078125)) * vec4(0.2401, 0.16807, 0.117649, 0.0823543);
     return octaves;
 }
 

@@ -104,7 +104,7 @@ double share_through(const ManifestAsset& volume, const config::Cloud& cloud) {
     if (cover == 0) return 1;
     const double depth = cloud.extinction_scale.per_meter * cloud.extent[2].meters *
                          volume.levels.front().statistics.front().mean / cover;
-    return 1 - cover + cover * 2 / (2 + backward_share() * depth);
+    return 1 - cover + cover * 2 / (2 + backward_share(cloud_phase(cloud.particles)) * depth);
 }
 
 // Returns the first volume of one channel of each cloud.
@@ -184,12 +184,14 @@ std::string layer_glsl(const RuntimeCloud& cloud) {
     const MarchSteps steps = steps_of(cloud);
     const std::vector<std::string> textures = textures_of(cloud);
     const CloudReading reading = reading_of(cloud);
+    const CloudPhase phase = cloud_phase(cloud.cloud.particles);
     std::string text(embedded_text("cloud_layer_library.glsl"));
     for (const auto& [word, by] :
          {std::pair{"NAME_", march_name(cloud) + "_"},
           std::pair{"BAKED_", glsl_name(cloud.volume->name) + "_"},
           std::pair{"STEP_M\\b", glsl_number(steps.step_m)},
-          std::pair{"BACKWARD\\b", glsl_number(backward_share())},
+          std::pair{"BACKWARD\\b", glsl_number(backward_share(phase))},
+          std::pair{"PHASE\\b", glsl_phase(phase)},
           std::pair{"THROUGH\\b", glsl_number(cloud.through)},
           std::pair{"REACH_M\\b", glsl_number(steps.reach_m)}, std::pair{"SUM;", reading.sum},
           std::pair{"DENSITY\\b", reading.density}, std::pair{"LEAP\\b", reading.leap},
@@ -287,6 +289,11 @@ std::string film_glsl(const RuntimeAir& air) {
                "vec3 shown_by_film({} light) {{ return "
                "srgb_of(film(in_gamut(linear_srgb(light)))); }}\n",
                light_type(air));
+}
+
+std::string glsl_phase(const CloudPhase& phase) {
+    return fmt::format("vec4({}, {}, {}, {})", glsl_number(phase.hg_g), glsl_number(phase.draine_g),
+                       glsl_number(phase.draine_alpha), glsl_number(phase.draine_share));
 }
 
 std::string runtime_library(const PreviewAssets& assets, int threads) {

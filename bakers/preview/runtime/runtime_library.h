@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "bakers/air/cloud_phase.h"
 #include "bakers/preview/runtime/runtime_air.h"
 
 namespace skybake {
@@ -22,6 +23,9 @@ std::string linear_srgb_glsl(const RuntimeAir& air);
 
 // Returns it with examples/lookups/film.glsl, and a function that calls both.
 std::string film_glsl(const RuntimeAir& air);
+
+// The numbers of a phase function of clouds, by which shaders compute it.
+std::string glsl_phase(const CloudPhase& phase);
 
 // Returns the library of a folder's assets. It is empty without two tables of three or four channels, and
 // a comment says what is missing where the phase function of a layer is in no table. Volumes need no voxels.
