@@ -15,6 +15,7 @@
 #include "bakers/march/layer_march.h"
 #include "bakers/math/parallel.h"
 #include "bakers/occupancy/cell_grid.h"
+#include "config/sections/cloud.h"
 
 namespace skybake::cloud_light {
 namespace {
@@ -147,8 +148,7 @@ LayerSources sun_of(const SunDirection& sun) {
 void expect_paths_light(config::CloudParticles particles) {
     CloudLayer layer = two_bodies();
     layer.optics.particles = particles;
-    CloudMedium medium = medium_of(layer);
-    medium.optics.particles = particles;
+    const CloudMedium medium = medium_of(layer);
     const BakeOptions options{.threads = kThreads};
     const MarchLight within(medium, kCellsOfPicture, options);
     for (const SunDirection& sun : {SunDirection{50, 20}, SunDirection{10, 200}}) {
