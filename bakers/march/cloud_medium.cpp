@@ -131,7 +131,6 @@ CloudMedium coarse_medium(const CloudMedium& medium, const std::array<int, 3>& b
     coarse.base_m = medium.base_m;
     coarse.repeats = medium.repeats;
     coarse.optics.extinction_per_m = medium.optics.extinction_per_m;
-    coarse.optics.particles = medium.optics.particles;
     coarse.volume = padded_volume(means.data(), blocks.size, 0, 1, threads, medium.repeats);
     coarse.variation = medium.variation;
     const auto scaled = [&](std::size_t axis, float& voxels) {

@@ -96,7 +96,7 @@ double sunlight_once(const LightInCloud& light, const LitRay& ray, const LitPoin
 }  // namespace
 
 float sun_depth_at(const LightInCloud& light, std::array<float, 3> place) {
-    if (!(place[2] < 1)) return 0;
+    if (!(place[2] < 1) || place[2] < 0) return 0;
     for (std::size_t a = 0; a < 2; ++a) place[a] -= std::floor(place[a]);
     float depth = 0;
     for_cells_around(light, place,

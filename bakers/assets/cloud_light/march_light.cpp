@@ -1,10 +1,12 @@
 #include "bakers/assets/cloud_light/march_light.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "bakers/assets/cloud_light/cloud_scattering.h"
 #include "bakers/assets/forward_scattering/forward_table.h"
+#include "bakers/math/harmonics.h"
 #include "bakers/math/wrapped.h"
 #include "bakers/occupancy/cell_grid.h"
 #include "config/sections/cloud.h"
@@ -121,6 +123,37 @@ void write(const SolvedRadiance& solved, const std::array<int, 3>& margin, std::
     });
 }
 
+// The layer upside down: under a sun below the horizon it is as this one under the mirrored sun.
+CloudLayer upside_down(const CloudLayer& layer) {
+    CloudLayer turned = layer;
+    const std::size_t plane = layer.values.size() / static_cast<std::size_t>(layer.size[2]);
+    for (std::size_t from = 0, to = layer.values.size(); from < layer.values.size();
+         from += plane) {
+        to -= plane;
+        std::copy_n(layer.values.data() + from, plane, turned.values.data() + to);
+    }
+    return turned;
+}
+
+// Writes sunlight: coefficients times `strength`, and depths. With `upside_down` the solution is that of the
+// mirrored layer, where harmonics of odd l + m change their sign.
+void write_sunlight(const SolvedRadiance& solved, const std::array<int, 3>& margin, double strength,
+                    bool upside_down, LightInCloud& light) {
+    light.depths.resize(light.values.size() / LightInCloud::kAll);
+    const std::array<int, 3>& all = solved.scattered.size();
+    for_padded_cells(solved, margin, light, [&](std::size_t cell, int x, int y, int z) {
+        const int level = upside_down ? all[2] - 1 - z : z;
+        light.depths[cell] = solved.sun_depths[occupancy::index_of(all, x, y, level)];
+        for (std::size_t c = 0; c < LightInCloud::kSun; ++c) {
+            const std::size_t degree = degree_of_harmonic(c);
+            const bool is_odd = (c - degree * degree) % 2 != 0;
+            const double sign = upside_down && is_odd ? -strength : strength;
+            light.values[cell * LightInCloud::kAll + c] =
+                static_cast<float>(sign * double{solved.scattered.row(c, level, y)[x]});
+        }
+    });
+}
+
 }  // namespace
 
 Estimate march_light_estimate(double voxels) {
@@ -148,6 +181,7 @@ MarchLight::MarchLight(const CloudMedium& medium, double most_cells, const BakeO
     if (!medium.repeats) layer->reach = {double{1} * voxels[0], double{1} * voxels[1]};
     layer_ = std::move(layer);
     places.voxels = layer_->size;
+    places_ = places;
     const config::CloudParticles particles = medium.optics.particles;
     without_sun_.phase = cloud_phase(particles);
     without_sun_.backwards = backward_share(without_sun_.phase);
@@ -173,20 +207,24 @@ MarchLight::MarchLight(const CloudMedium& medium, double most_cells, const BakeO
 std::optional<LightInCloud> MarchLight::under(const SunDirection& sun,
                                               const BakeOptions& options) const {
     const bool repeats = margin_[0] == 0;
-    if (sun.elevation_degrees <= 0) return std::nullopt;
-    if (repeats && sun.elevation_degrees < kLowestSolvedSun_deg) return std::nullopt;
+    const bool is_below = sun.elevation_degrees < 0;
+    const double height = std::fabs(sun.elevation_degrees);
+    const double solved_height = repeats ? std::max(height, kLowestSolvedSun_deg) : height;
+    if (solved_height == 0) return std::nullopt;
     LayerSources source;
     source.sun = 1;
-    source.sun_direction = direction_of(sun.elevation_degrees, sun.azimuth_degrees);
-    const SolvedRadiance solved = solver_->solve(source, options, kSeenChange);
+    source.sun_direction = direction_of(solved_height, sun.azimuth_degrees);
+    std::optional<CloudLayer> turned;
+    if (is_below) turned = upside_down(*layer_);
+    const SolvedRadiance solved =
+        turned ? RadianceSolver(*turned, places_, scattering_of(without_sun_.phase, kAlbedo),
+                                kDegree, options)
+                     .solve(source, options, kSeenChange)
+               : solver_->solve(source, options, kSeenChange);
     if (options.cancelled()) return std::nullopt;
     LightInCloud light = without_sun_;
-    write(solved, margin_, 0, LightInCloud::kSun, light);
-    light.depths.resize(light.values.size() / LightInCloud::kAll);
-    for_padded_cells(solved, margin_, light, [&](std::size_t cell, int x, int y, int z) {
-        light.depths[cell] =
-            solved.sun_depths[occupancy::index_of(solved.scattered.size(), x, y, z)];
-    });
+    const double strength = sine_of_degrees(height) / sine_of_degrees(solved_height);
+    write_sunlight(solved, margin_, strength, is_below, light);
     return light;
 }
 

@@ -15,8 +15,9 @@
 
 namespace skybake::cloud_light {
 
-// Below this elevation rays to the sun cross so many tiles of a layer that repeats that its light is not solved
-// for. A tile that stands alone is solved for under each sun above the horizon.
+// Rays to a sun that is nearer to the horizon cross so many tiles of a layer that repeats that its light is that of
+// this elevation, in the ratio of the sines, as is the sunlight through the layer's face. A tile that stands alone is
+// solved for under each sun.
 inline constexpr double kLowestSolvedSun_deg = 1;
 
 // The most cells for which light is solved: those of pictures, and of drafts.
@@ -33,13 +34,15 @@ class MarchLight {
     // that does not repeat has an empty margin of half of its edge on each side.
     MarchLight(const CloudMedium& medium, double most_cells, const BakeOptions& options);
 
-    // Returns nothing for a sun that is too low and after an interruption.
+    // Sunlight comes from below where the sun is below the horizon of a layer that is above it. Returns nothing for a
+    // sun at the horizon of a tile that stands alone, and after an interruption.
     std::optional<LightInCloud> under(const SunDirection& sun, const BakeOptions& options) const;
 
   private:
     std::unique_ptr<const CloudLayer> layer_;  // to which the solver refers
     std::unique_ptr<const RadianceSolver> solver_;
     std::array<int, 3> margin_{};  // in places; 0 where the tile repeats
+    PlaceGrid places_;
     LightInCloud without_sun_;
 };
 

@@ -191,7 +191,7 @@ std::vector<InputFile> inputs(const Parameters& parameters, const EnvironmentBak
 }  // namespace
 
 Baker<EnvironmentBake> baker(BakerTag<EnvironmentBake>) {
-    return {.version = 21,
+    return {.version = 22,
             .bake = bake,
             .estimate = estimate,
             .needs = needs,

@@ -74,7 +74,7 @@ std::vector<std::optional<LightInCloud>> lights_within(std::span<const CloudMedi
                                                        const BakeOptions& options) {
     std::vector<std::optional<LightInCloud>> lights(media.size());
     const SunDirection sun = sun_direction_of(bake);
-    if (!sunlit || sun.elevation_degrees < cloud_light::kLowestSolvedSun_deg) return lights;
+    if (!sunlit) return lights;
     for (std::size_t l = 0; l < media.size(); ++l) {
         const cloud_light::MarchLight within(*media[l], cloud_light::kCellsOfPicture, options);
         lights[l] = within.under(sun, options);

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "bakers/air/ray.h"
 #include "bakers/assets/cloud_volume/cloud_volume.h"
 #include "bakers/occupancy/cell_grid.h"
 #include "bakers/preview/bake_assets.h"
@@ -74,6 +75,16 @@ std::optional<cloud_light::MarchLight> light_within(const CloudPreviewInput& inp
     if (input.table_sky) return std::nullopt;
     return cloud_light::MarchLight(
         medium, input.draft ? cloud_light::kCellsOfDraft : cloud_light::kCellsOfPicture, options);
+}
+
+std::optional<LightInCloud> light_under(const std::optional<cloud_light::MarchLight>& within,
+                                        const Lighting& lighting, const CloudMedium& medium,
+                                        const SunDirection& sun, const BakeOptions& options) {
+    const Shell shell = shell_of(lighting.medium.air);
+    const double top_km = (medium.base_m + medium.extent_m[2]) / 1000;
+    const double dip = horizon_distance_km(shell, top_km) / (shell.ground_radius_km + top_km);
+    const bool sees_sun = sine_of_degrees(sun.elevation_degrees) > -dip;
+    return within && sees_sun ? within->under(sun, options) : std::nullopt;
 }
 
 std::string light_text(const std::optional<LightInCloud>& light) {

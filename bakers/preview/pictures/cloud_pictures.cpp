@@ -147,8 +147,8 @@ void add_lit_pictures(const CloudPreviewInput& input, const LeapingMedium& cloud
         const std::vector<CloudViewSettings> views = views_of(input, cloud.medium, sun);
         const auto sky = solved_sky(input, lighting, views.front().camera, sun, threads);
         ProgressPart of_sun(input.progress, step, done, 0);
-        const auto light =
-            within ? within->under(sun, {.threads = threads, .progress = &of_sun}) : std::nullopt;
+        const auto light = light_under(within, lighting, cloud.medium, sun,
+                                       {.threads = threads, .progress = &of_sun});
         done += share;
         const Atmosphere atmosphere = {lighting.medium, lighting.tables, sky ? &*sky : nullptr};
         LitScene scene = {

@@ -86,9 +86,8 @@ PreviewPicture scene_picture(const CloudPreviewInput& input, const Lighting& lig
     ProgressPart solving(progress, "light within the clouds", 0, 0);
     std::vector<std::optional<LightInCloud>> lights;
     for (const NamedLayer& layer : layers) {
-        lights.push_back(layer.light
-                             ? layer.light->under(sun, {.threads = threads, .progress = &solving})
-                             : std::nullopt);
+        lights.push_back(light_under(layer.light, lighting, layer.cloud.medium, sun,
+                                     {.threads = threads, .progress = &solving}));
     }
     for (std::size_t l = 0; l < layers.size(); ++l) {
         if (lights[l]) scene.layers[l].solved = &*lights[l];
