@@ -7,8 +7,10 @@
 #include <cstddef>
 #include <cstring>
 #include <limits>
+#include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "bakers/field/baked.h"
 #include "bakers/field/pixel_type.h"
@@ -37,12 +39,31 @@ struct BadValue {
 
 // A box on its way from a producer to the consumer.
 struct Slot {
-    AlignedFloats values;  // channel after channel
     std::string bytes;
     std::vector<Summary> channels;
     std::vector<VoxelPeak> peaks;
     std::vector<char> covered;  // columns of the box with a value above that of ColumnCount
     std::optional<BadValue> bad;
+};
+
+// Scratch memory that boxes take in turns: as many have some at once as threads make them.
+class ScratchPool {
+  public:
+    ScratchFloats take() {
+        const std::lock_guard lock(mutex_);
+        if (free_.empty()) return {};
+        ScratchFloats floats = std::move(free_.back());
+        free_.pop_back();
+        return floats;
+    }
+    void give_back(ScratchFloats floats) {
+        const std::lock_guard lock(mutex_);
+        free_.push_back(std::move(floats));
+    }
+
+  private:
+    std::mutex mutex_;
+    std::vector<ScratchFloats> free_;
 };
 
 // The first voxel, and the first of its channels, whose value the type cannot hold.
@@ -283,14 +304,15 @@ class Survey {
   private:
     std::size_t width() const { return static_cast<std::size_t>(level_.size[0]); }
 
-    void look_at(int index, Slot& slot) const {
+    void look_at(int index, Slot& slot) {
         if (options_.cancelled()) return;
         const VoxelBox box = boxes_[index];
         const auto count = static_cast<std::size_t>(box.count());
         const std::size_t channels = whole_.size();
-        slot.values.resize(count * channels);
+        ScratchFloats values = scratch_.take();
+        values.reserve(count * channels);
         std::vector<float*> planes;
-        for (std::size_t c = 0; c < channels; ++c) planes.push_back(&slot.values[c * count]);
+        for (std::size_t c = 0; c < channels; ++c) planes.push_back(values.data() + c * count);
         level_.voxels->fill(box, planes);
         slot.bad.reset();
         slot.channels.clear();
@@ -315,6 +337,7 @@ class Survey {
             store_voxels({planes.begin(), planes.end()}, count, volume_.pixel_type,
                          slot.bytes.data());
         }
+        scratch_.give_back(std::move(values));
     }
 
     bool take(int index, const Slot& slot) {
@@ -380,6 +403,7 @@ class Survey {
     std::vector<VoxelPeak> peaks_;
     std::vector<char> covered_;
     Hasher hasher_;
+    ScratchPool scratch_;
     std::optional<Diagnostic> problem_;
 };
 

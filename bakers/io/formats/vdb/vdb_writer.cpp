@@ -10,6 +10,7 @@
 
 #include "bakers/field/baked.h"
 #include "bakers/io/formats/vdb/vdb_file.h"
+#include "bakers/math/memory.h"
 #include "bakers/math/parallel.h"
 
 namespace skybake {
@@ -121,6 +122,7 @@ void VdbWriter::take_all_parts() {
 }
 
 void VdbWriter::survey(int threads) {
+    return_freed_memory();  // which would wait in vain while bytes are kept
     const std::vector<VoxelBox> strips = vdb_strips(level_.size);
     const std::size_t count = active_.size() * strips.size();
     run_pipeline(
