@@ -7,17 +7,15 @@
 #include <cstddef>
 #include <cstring>
 #include <limits>
-#include <mutex>
 #include <optional>
 #include <string>
-#include <utility>
 
 #include "bakers/field/baked.h"
 #include "bakers/field/pixel_type.h"
+#include "bakers/field/take_boxes.h"
 #include "bakers/field/value_kernel.h"
 #include "bakers/math/hash.h"
 #include "bakers/math/memory.h"
-#include "bakers/math/parallel.h"
 
 namespace skybake {
 namespace {
@@ -39,31 +37,12 @@ struct BadValue {
 
 // A box on its way from a producer to the consumer.
 struct Slot {
+    AlignedFloats values;  // channel after channel
     std::string bytes;
     std::vector<Summary> channels;
     std::vector<VoxelPeak> peaks;
     std::vector<char> covered;  // columns of the box with a value above that of ColumnCount
     std::optional<BadValue> bad;
-};
-
-// Scratch memory that boxes take in turns: as many have some at once as threads make them.
-class ScratchPool {
-  public:
-    ScratchFloats take() {
-        const std::lock_guard lock(mutex_);
-        if (free_.empty()) return {};
-        ScratchFloats floats = std::move(free_.back());
-        free_.pop_back();
-        return floats;
-    }
-    void give_back(ScratchFloats floats) {
-        const std::lock_guard lock(mutex_);
-        free_.push_back(std::move(floats));
-    }
-
-  private:
-    std::mutex mutex_;
-    std::vector<ScratchFloats> free_;
 };
 
 // The first voxel, and the first of its channels, whose value the type cannot hold.
@@ -273,15 +252,12 @@ class Survey {
 
     // Returns false after an interruption or a bad value.
     bool run() {
-        slots_.resize(static_cast<std::size_t>(box_slots(options_.threads)));
         bool finished = true;
-        ordered_pipeline(
-            boxes_.count(), options_.threads, static_cast<int>(slots_.size()),
-            [&](int i, int slot) { look_at(i, slots_[static_cast<std::size_t>(slot)]); },
-            [&](int i, int slot) {
-                finished = take(i, slots_[static_cast<std::size_t>(slot)]);
-                return finished;
-            });
+        // Neighbouring slices take as long as each other: with one box less all threads are busy, too.
+        take_boxes<Slot>(
+            boxes_.count(), options_.threads, box_slots(options_.threads) - 1,
+            [&](int i, Slot& slot) { look_at(i, slot); },
+            [&](int i, const Slot& slot) { return finished = take(i, slot); });
         return finished;
     }
 
@@ -304,15 +280,14 @@ class Survey {
   private:
     std::size_t width() const { return static_cast<std::size_t>(level_.size[0]); }
 
-    void look_at(int index, Slot& slot) {
+    void look_at(int index, Slot& slot) const {
         if (options_.cancelled()) return;
         const VoxelBox box = boxes_[index];
         const auto count = static_cast<std::size_t>(box.count());
         const std::size_t channels = whole_.size();
-        ScratchFloats values = scratch_.take();
-        values.reserve(count * channels);
+        slot.values.resize(count * channels);
         std::vector<float*> planes;
-        for (std::size_t c = 0; c < channels; ++c) planes.push_back(values.data() + c * count);
+        for (std::size_t c = 0; c < channels; ++c) planes.push_back(&slot.values[c * count]);
         level_.voxels->fill(box, planes);
         slot.bad.reset();
         slot.channels.clear();
@@ -337,7 +312,6 @@ class Survey {
             store_voxels({planes.begin(), planes.end()}, count, volume_.pixel_type,
                          slot.bytes.data());
         }
-        scratch_.give_back(std::move(values));
     }
 
     bool take(int index, const Slot& slot) {
@@ -398,12 +372,10 @@ class Survey {
     const BakeOptions& options_;
     ColumnCount* const count_;
     const BoxSequence boxes_;
-    std::vector<Slot> slots_;
     std::vector<Summary> whole_;
     std::vector<VoxelPeak> peaks_;
     std::vector<char> covered_;
     Hasher hasher_;
-    ScratchPool scratch_;
     std::optional<Diagnostic> problem_;
 };
 

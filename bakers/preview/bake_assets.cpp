@@ -10,6 +10,7 @@
 #include "bakers/assets/registry/registry.h"
 #include "bakers/field/baked.h"
 #include "bakers/field/pixel_type.h"
+#include "bakers/io/formats/format.h"
 #include "bakers/io/manifest/asset_files.h"
 #include "bakers/io/manifest/metadata.h"
 #include "bakers/math/bake_clock.h"
@@ -21,30 +22,34 @@
 namespace skybake {
 namespace {
 
+std::array<int, 3> shown_size(const std::array<int, 3>& size, int edge) {
+    std::array<int, 3> cubes = size;
+    for (int& extent : cubes) extent = (extent + edge - 1) / edge;
+    return cubes;
+}
+
+// Each extent is at most 65536 (see manifest_reader.cpp), so the product fits into 64 bits.
+std::size_t count_of(const std::array<int, 3>& size, std::size_t channels) {
+    return static_cast<std::size_t>(VoxelBox{{}, size}.count()) * channels;
+}
+
 // Returns the voxels of a level as stored, channels interleaved.
 std::vector<float> stored_voxels(const Baked& volume, const ShownLevel& shown,
                                  const BakeOptions& options) {
-    const Level& level = volume.levels[shown.level];
-    const auto slice =
-        static_cast<std::size_t>(level.size[0]) * static_cast<std::size_t>(level.size[1]);
     const std::size_t channels = volume.channel_names.size();
-    ShownTexels texels(level.size, channels, shown.edge);
-    const int depth = std::max(8, shown.edge);  // both are powers of 2
-    for_each_tile((level.size[2] + depth - 1) / depth, options, "voxels", [&](int tile) {
-        const int z = tile * depth;
-        const int planes = std::min(depth, level.size[2] - z);
-        const std::size_t count = slice * static_cast<std::size_t>(planes);
-        std::vector<float> made(count * channels);
-        std::vector<float*> targets;
-        for (std::size_t c = 0; c < channels; ++c) targets.push_back(made.data() + c * count);
-        level.voxels->fill({{0, 0, z}, {level.size[0], level.size[1], planes}}, targets);
-        std::vector<char> stored(made.size() *
-                                 static_cast<std::size_t>(bytes_per_value(volume.pixel_type)));
-        store_voxels({targets.begin(), targets.end()}, count, volume.pixel_type, stored.data());
-        load_values(stored.data(), made.size(), volume.pixel_type, made.data());
-        texels.add(static_cast<std::int64_t>(slice) * z, static_cast<std::int64_t>(count),
-                   made.data());
-    });
+    ShownTexels texels(volume.levels[shown.level].size, channels, shown.edge);
+    const auto width = static_cast<std::size_t>(bytes_per_value(volume.pixel_type));
+    std::vector<float> values;
+    std::int64_t done = 0;
+    write_texels({volume, 0, "", options.threads, options.progress}, static_cast<int>(shown.level),
+                 TexelPadding::none, [&](std::string_view bytes) {
+                     values.resize(bytes.size() / width);
+                     load_values(bytes.data(), values.size(), volume.pixel_type, values.data());
+                     const auto count = static_cast<std::int64_t>(values.size() / channels);
+                     texels.add(done, count, values.data());
+                     done += count;
+                     return true;
+                 });
     return std::move(texels.values);
 }
 
@@ -208,21 +213,6 @@ const PreviewAsset* PreviewAssets::of_kind(std::string_view kind) const {
     return best;
 }
 
-namespace {
-
-std::array<int, 3> shown_size(const std::array<int, 3>& size, int edge) {
-    std::array<int, 3> cubes = size;
-    for (int& extent : cubes) extent = (extent + edge - 1) / edge;
-    return cubes;
-}
-
-// Each extent is at most 65536 (see manifest_reader.cpp), so the product fits into 64 bits.
-std::size_t count_of(const std::array<int, 3>& size, std::size_t channels) {
-    return static_cast<std::size_t>(VoxelBox{{}, size}.count()) * channels;
-}
-
-}  // namespace
-
 ShownLevel shown_level(const ManifestAsset& asset) {
     ShownLevel shown;
     const auto fits = [&] {
@@ -265,27 +255,15 @@ void ShownTexels::add(std::int64_t first, std::int64_t count, const float* texel
                     &values[static_cast<std::size_t>(first) * channels_]);
         return;
     }
-    const auto [width, height, depth] = size_;
-    while (count > 0) {
-        const auto x = static_cast<int>(first % width);
-        const auto end = static_cast<int>(std::min<std::int64_t>(width, x + count));
-        const std::int64_t row = first / width;
-        add_row({x, static_cast<int>(row % height), static_cast<int>(row / height)}, end, texels);
-        texels += static_cast<std::size_t>(end - x) * channels_;
-        first += end - x;
-        count -= end - x;
-    }
-}
-
-// Adds the texels of a row from `at` to the one before x = `end`.
-void ShownTexels::add_row(std::array<int, 3> at, int end, const float* texels) {
     const std::array<int, 3> cubes = shown_size(size_, edge_);
-    for (; at[0] < end; ++at[0]) {
-        std::int64_t cube = 0;
+    for (const std::int64_t end = first + count; first < end; ++first) {
+        std::int64_t above = first, cube = 0, cubes_below = 1;
         int texels_of_cube = 1;  // fewer where it ends with the level
-        for (const std::size_t axis : {2U, 1U, 0U}) {
-            const int place = at[axis] / edge_;
-            cube = cube * cubes[axis] + place;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const auto place = static_cast<int>(above % size_[axis]) / edge_;
+            above /= size_[axis];
+            cube += place * cubes_below;
+            cubes_below *= cubes[axis];
             texels_of_cube *= std::min(edge_, size_[axis] - place * edge_);
         }
         float* const sum = &values[static_cast<std::size_t>(cube) * channels_];

@@ -58,15 +58,12 @@ class ShownTexels {
   public:
     ShownTexels(const std::array<int, 3>& size, std::size_t channels, int edge);
 
-    // Adds `count` texels of the level from number `first` on. Calls may run at once if no cube has texels
-    // of both.
+    // Adds `count` texels of the level from number `first` on.
     void add(std::int64_t first, std::int64_t count, const float* texels);
 
     std::vector<float> values;
 
   private:
-    void add_row(std::array<int, 3> at, int end, const float* texels);
-
     const std::array<int, 3> size_;
     const std::size_t channels_;
     const int edge_;
