@@ -191,7 +191,7 @@ TEST(WriteTexels, TellHowFarTheyAreAndStop) {
     };
     Told whole(99);
     EXPECT_TRUE(is_written(whole));
-    EXPECT_EQ(whole.times, 8);
+    EXPECT_EQ(whole.times, 16);
     EXPECT_EQ(whole.last, 1);
     Told part(3);
     EXPECT_FALSE(is_written(part));
