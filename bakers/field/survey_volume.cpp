@@ -12,10 +12,10 @@
 
 #include "bakers/field/baked.h"
 #include "bakers/field/pixel_type.h"
+#include "bakers/field/take_boxes.h"
 #include "bakers/field/value_kernel.h"
 #include "bakers/math/hash.h"
 #include "bakers/math/memory.h"
-#include "bakers/math/parallel.h"
 
 namespace skybake {
 namespace {
@@ -252,15 +252,12 @@ class Survey {
 
     // Returns false after an interruption or a bad value.
     bool run() {
-        slots_.resize(static_cast<std::size_t>(box_slots(options_.threads)));
         bool finished = true;
-        ordered_pipeline(
-            boxes_.count(), options_.threads, static_cast<int>(slots_.size()),
-            [&](int i, int slot) { look_at(i, slots_[static_cast<std::size_t>(slot)]); },
-            [&](int i, int slot) {
-                finished = take(i, slots_[static_cast<std::size_t>(slot)]);
-                return finished;
-            });
+        // Neighbouring slices take as long as each other: with one box less all threads are busy, too.
+        take_boxes<Slot>(
+            boxes_.count(), options_.threads, box_slots(options_.threads) - 1,
+            [&](int i, Slot& slot) { look_at(i, slot); },
+            [&](int i, const Slot& slot) { return finished = take(i, slot); });
         return finished;
     }
 
@@ -375,7 +372,6 @@ class Survey {
     const BakeOptions& options_;
     ColumnCount* const count_;
     const BoxSequence boxes_;
-    std::vector<Slot> slots_;
     std::vector<Summary> whole_;
     std::vector<VoxelPeak> peaks_;
     std::vector<char> covered_;

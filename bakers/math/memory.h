@@ -46,6 +46,13 @@ inline void keep_freed_memory() {
 #endif
 }
 
+// Returns to the system what the process has kept so far.
+inline void return_freed_memory() {
+#ifdef __GLIBC__
+    malloc_trim(0);
+#endif
+}
+
 // Vectors fill what they add with zeros, which costs as much as a cheap noise does.
 class ScratchFloats {
   public:

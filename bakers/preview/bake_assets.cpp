@@ -10,6 +10,7 @@
 #include "bakers/assets/registry/registry.h"
 #include "bakers/field/baked.h"
 #include "bakers/field/pixel_type.h"
+#include "bakers/io/formats/format.h"
 #include "bakers/io/manifest/asset_files.h"
 #include "bakers/io/manifest/metadata.h"
 #include "bakers/math/bake_clock.h"
@@ -21,41 +22,44 @@
 namespace skybake {
 namespace {
 
+std::array<int, 3> shown_size(const std::array<int, 3>& size, int edge) {
+    std::array<int, 3> cubes = size;
+    for (int& extent : cubes) extent = (extent + edge - 1) / edge;
+    return cubes;
+}
+
+// Each extent is at most 65536 (see manifest_reader.cpp), so the product fits into 64 bits.
+std::size_t count_of(const std::array<int, 3>& size, std::size_t channels) {
+    return static_cast<std::size_t>(VoxelBox{{}, size}.count()) * channels;
+}
+
 // Returns the voxels of a level as stored, channels interleaved.
-std::vector<float> stored_voxels(const Baked& volume, const Level& level,
+std::vector<float> stored_voxels(const Baked& volume, const ShownLevel& shown,
                                  const BakeOptions& options) {
-    const auto slice =
-        static_cast<std::size_t>(level.size[0]) * static_cast<std::size_t>(level.size[1]);
     const std::size_t channels = volume.channel_names.size();
-    std::vector<float> voxels(slice * static_cast<std::size_t>(level.size[2]) * channels);
-    constexpr int depth = 8;
-    for_each_tile((level.size[2] + depth - 1) / depth, options, "voxels", [&](int tile) {
-        const int z = tile * depth;
-        const int planes = std::min(depth, level.size[2] - z);
-        const std::size_t count = slice * static_cast<std::size_t>(planes);
-        std::vector<float> made(count * channels);
-        std::vector<float*> targets;
-        for (std::size_t c = 0; c < channels; ++c) targets.push_back(made.data() + c * count);
-        level.voxels->fill({{0, 0, z}, {level.size[0], level.size[1], planes}}, targets);
-        std::vector<char> stored(made.size() *
-                                 static_cast<std::size_t>(bytes_per_value(volume.pixel_type)));
-        store_voxels({targets.begin(), targets.end()}, count, volume.pixel_type, stored.data());
-        load_values(stored.data(), made.size(), volume.pixel_type,
-                    voxels.data() + static_cast<std::size_t>(z) * slice * channels);
-    });
-    return voxels;
+    ShownTexels texels(volume.levels[shown.level].size, channels, shown.edge);
+    const auto width = static_cast<std::size_t>(bytes_per_value(volume.pixel_type));
+    std::vector<float> values;
+    std::int64_t done = 0;
+    write_texels({volume, 0, "", options.threads, options.progress}, static_cast<int>(shown.level),
+                 TexelPadding::none, [&](std::string_view bytes) {
+                     values.resize(bytes.size() / width);
+                     load_values(bytes.data(), values.size(), volume.pixel_type, values.data());
+                     const auto count = static_cast<std::int64_t>(values.size() / channels);
+                     texels.add(done, count, values.data());
+                     done += count;
+                     return true;
+                 });
+    return std::move(texels.values);
 }
 
 PreviewAsset volume_asset(const Baked& volume, const Timing& timing, const BakeOptions& options,
                           std::vector<std::string>& notes) {
     ManifestAsset entry = describe(volume);
     entry.timing = timing;
-    const std::optional<std::size_t> level = previewed_level(entry);
-    if (level != std::size_t{0}) notes.push_back(level_note(entry, level));
-    PreviewAsset asset;
-    asset.entry = level ? at_level(entry, *level) : std::move(entry);
-    if (level) asset.voxels = stored_voxels(volume, volume.levels[*level], options);
-    return asset;
+    const ShownLevel shown = shown_level(entry);
+    if (!shown.is_whole()) notes.push_back(level_note(entry, shown));
+    return {at_level(entry, shown), {}, stored_voxels(volume, shown, options)};
 }
 
 PreviewAsset table_asset(const Baked& table, const Timing& timing) {
@@ -209,36 +213,64 @@ const PreviewAsset* PreviewAssets::of_kind(std::string_view kind) const {
     return best;
 }
 
-std::optional<std::size_t> previewed_level(const ManifestAsset& asset) {
-    for (std::size_t level = 0; level < asset.levels.size(); ++level) {
-        // Each extent is at most 65536 (see manifest_reader.cpp), so the product fits into 64 bits.
-        std::size_t values = asset.channels.size();
-        for (const int extent : asset.levels[level].size)
-            values *= static_cast<std::size_t>(extent);
-        if (values <= most_previewed_values) return level;
-    }
-    return std::nullopt;
+ShownLevel shown_level(const ManifestAsset& asset) {
+    ShownLevel shown;
+    const auto fits = [&] {
+        const auto size = shown_size(asset.levels[shown.level].size, shown.edge);
+        return count_of(size, asset.channels.size()) <= most_previewed_values;
+    };
+    while (!fits() && shown.level + 1 < asset.levels.size()) ++shown.level;
+    while (!fits()) shown.edge *= 2;
+    return shown;
 }
 
-ManifestAsset at_level(const ManifestAsset& asset, std::size_t level) {
-    if (level == 0) return asset;
+ManifestAsset at_level(const ManifestAsset& asset, const ShownLevel& shown) {
+    if (shown.is_whole()) return asset;
     ManifestAsset reduced = asset;
-    reduced.levels = {asset.levels[level]};
-    const std::array<int, 3>& size = reduced.levels[0].size;
+    reduced.levels = {asset.levels[shown.level]};
+    const std::array<int, 3> size = shown_size(reduced.levels[0].size, shown.edge);
+    reduced.levels[0].size = size;
     reduced.size.assign(size.begin(), size.begin() + static_cast<long>(asset.axes.size()));
     reduced.content_hash = reduced.levels[0].content_hash;
     return reduced;
 }
 
-std::string level_note(const ManifestAsset& asset, std::optional<std::size_t> level) {
-    const std::string size = fmt::format("{}", fmt::join(asset.size, " x "));
-    if (level) {
-        return fmt::format("{}: {} voxels are more than a preview holds; it shows level {}",
-                           asset.name, size, *level);
+std::string level_note(const ManifestAsset& asset, const ShownLevel& shown) {
+    const std::string what =
+        shown.edge == 1 ? fmt::format("level {}", shown.level)
+                        : fmt::format("means over cubes of {} voxels along an edge", shown.edge);
+    return fmt::format("{}: {} voxels are more than a preview holds; it shows {}", asset.name,
+                       fmt::join(asset.size, " x "), what);
+}
+
+ShownTexels::ShownTexels(const std::array<int, 3>& size, std::size_t channels, int edge)
+    : values(count_of(shown_size(size, edge), channels)),
+      size_(size),
+      channels_(channels),
+      edge_(edge) {}
+
+void ShownTexels::add(std::int64_t first, std::int64_t count, const float* texels) {
+    if (edge_ == 1) {
+        std::copy_n(texels, static_cast<std::size_t>(count) * channels_,
+                    &values[static_cast<std::size_t>(first) * channels_]);
+        return;
     }
-    return fmt::format(
-        "{}: {} voxels are more than a preview holds, and no level of its `mips` is small enough",
-        asset.name, size);
+    const std::array<int, 3> cubes = shown_size(size_, edge_);
+    for (const std::int64_t end = first + count; first < end; ++first) {
+        std::int64_t above = first, cube = 0, cubes_below = 1;
+        int texels_of_cube = 1;  // fewer where it ends with the level
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const auto place = static_cast<int>(above % size_[axis]) / edge_;
+            above /= size_[axis];
+            cube += place * cubes_below;
+            cubes_below *= cubes[axis];
+            texels_of_cube *= std::min(edge_, size_[axis] - place * edge_);
+        }
+        float* const sum = &values[static_cast<std::size_t>(cube) * channels_];
+        for (std::size_t c = 0; c < channels_; ++c) {
+            sum[c] += *texels++ / static_cast<float>(texels_of_cube);
+        }
+    }
 }
 
 }  // namespace skybake

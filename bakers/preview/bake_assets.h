@@ -1,7 +1,9 @@
 // Bakes the assets of a recipe in memory for a preview. No file is written.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <span>
@@ -31,19 +33,41 @@ struct PreviewAssets {
     const PreviewAsset* of_kind(std::string_view kind) const;
 };
 
-// The most values (voxels times channels) of a volume that a preview holds in memory, which take 1
-// GiB. The pictures of a volume need it in memory: a few slices, and passes over all its voxels. A
-// larger volume is shown at its first level of detail that is small enough.
+// The most values (voxels times channels) of an asset that a preview holds in memory, which take 1
+// GiB. The pictures of a volume need it in memory: a few slices, and passes over all its voxels.
 inline constexpr std::size_t most_previewed_values = std::size_t{1} << 28;
 
-// Returns the first level that a preview can hold, or nothing.
-std::optional<std::size_t> previewed_level(const ManifestAsset& asset);
+// What a preview shows of an asset that may be larger: its first level of detail that is small enough,
+// or else means over cubes of its last one.
+struct ShownLevel {
+    std::size_t level = 0;
+    int edge = 1;  // of the cubes, in voxels
+    bool is_whole() const { return level == 0 && edge == 1; }
+};
 
-// Returns `asset` as if it had only the level of detail `level`.
-ManifestAsset at_level(const ManifestAsset& asset, std::size_t level);
+ShownLevel shown_level(const ManifestAsset& asset);
+
+// Returns `asset` as if it had only the level that is shown.
+ManifestAsset at_level(const ManifestAsset& asset, const ShownLevel& shown);
 
 // Returns the note on an asset that is not shown at its full size.
-std::string level_note(const ManifestAsset& asset, std::optional<std::size_t> level);
+std::string level_note(const ManifestAsset& asset, const ShownLevel& shown);
+
+// The texels of a level that is shown, channels interleaved.
+class ShownTexels {
+  public:
+    ShownTexels(const std::array<int, 3>& size, std::size_t channels, int edge);
+
+    // Adds `count` texels of the level from number `first` on.
+    void add(std::int64_t first, std::int64_t count, const float* texels);
+
+    std::vector<float> values;
+
+  private:
+    const std::array<int, 3> size_;
+    const std::size_t channels_;
+    const int edge_;
+};
 
 // A memo of assets that were baked before, by AssetIdentity::key. All recipes that use the same
 // memo must be reduced in the same way or not at all, and not at all if it has sources or a cache.

@@ -23,27 +23,26 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Loads a level of `entry` that the file holds.
+// Loads a level of `entry` that the file holds, as it is shown.
 Outcome<PreviewAsset> load_texels(const fs::path& path, const ManifestAsset& entry,
-                                  const ManifestFile& file, int level) {
-    const std::array<int, 3>& size = entry.levels[static_cast<std::size_t>(level)].size;
+                                  const ManifestFile& file, const ShownLevel& shown) {
+    const std::array<int, 3>& size = entry.levels[shown.level].size;
     const std::size_t channels = entry.channels.size();
-    std::size_t values = channels;
-    for (const int extent : size) values *= static_cast<std::size_t>(extent);
-    std::vector<float> texels(values);
+    ShownTexels texels(size, channels, shown.edge);
     const auto keep = [&](std::int64_t first, std::int64_t count, const float* found) {
-        std::copy_n(found, static_cast<std::size_t>(count) * channels,
-                    &texels[static_cast<std::size_t>(first) * channels]);
+        texels.add(first, count, found);
         return true;
     };
+    const auto level = static_cast<int>(shown.level);
     const Outcome<bool> read = read_asset_file(path, entry, file, level - file.level, keep);
     if (!read.value) return {{}, read.diagnostics};
-    PreviewAsset asset{at_level(entry, static_cast<std::size_t>(level)), {}, {}};
+    PreviewAsset asset{at_level(entry, shown), {}, {}};
     if (entry.is_volume()) {
-        asset.voxels = std::move(texels);
+        asset.voxels = std::move(texels.values);
     } else {
-        asset.table = Image2<float>(size[0], size[1], static_cast<int>(channels));
-        asset.table.texels = std::move(texels);
+        const std::array<int, 3>& image = asset.entry.levels[0].size;
+        asset.table = Image2<float>(image[0], image[1], static_cast<int>(channels));
+        asset.table.texels = std::move(texels.values);
     }
     return {std::move(asset), {}};
 }
@@ -88,16 +87,11 @@ bool has_error(const std::vector<Diagnostic>& diagnostics) {
 // notes.
 std::vector<Diagnostic> add_asset(const fs::path& folder, const ManifestAsset& entry,
                                   PreviewAssets& shown) {
-    const std::optional<std::size_t> level = previewed_level(entry);
-    if (level != std::size_t{0}) shown.notes.push_back(level_note(entry, level));
-    if (!level) {
-        shown.assets.push_back({entry, {}, {}});
-        return {};
-    }
-    const auto number = static_cast<int>(*level);
-    const ManifestFile* file = file_of_level(entry, number);
+    const ShownLevel level = shown_level(entry);
+    if (!level.is_whole()) shown.notes.push_back(level_note(entry, level));
+    const ManifestFile* file = file_of_level(entry, static_cast<int>(level.level));
     if (file == nullptr) return {no_file(entry, folder)};
-    auto asset = load_texels(folder / file->path, entry, *file, number);
+    auto asset = load_texels(folder / file->path, entry, *file, level);
     if (!asset.value) return std::move(asset.diagnostics);
     shown.assets.push_back(std::move(*asset.value));
     const std::optional<Diagnostic> warning = other_bytes(folder / file->path, *file);
@@ -137,7 +131,7 @@ std::string folder_title(const fs::path& folder) {
 
 // Returns an asset reduced to what one of its files holds.
 ManifestAsset alone(const ManifestAsset& asset, const ManifestFile& file) {
-    ManifestAsset entry = at_level(asset, static_cast<std::size_t>(file.level));
+    ManifestAsset entry = at_level(asset, {static_cast<std::size_t>(file.level)});
     entry.files = {file};
     entry.files[0].level = 0;
     return entry;

@@ -101,6 +101,16 @@ void remove_scene(DecodedSection& bake) {
     if (target.value) replace(target, FieldValue(config::chosen(*target.field, Target::none)));
 }
 
+// Whether a bake is the first frame of a sequence that its files place, as those files carry it.
+bool is_carried_first(const OpenBake& bake) {
+    const DecodedField& frames = bake.section.at("frames");
+    const DecodedField& frame = bake.section.at("frame");
+    if (!frames.value || !frame.value || !has_scene(bake.section)) return false;
+    const int count = static_cast<int>(std::get<double>(*frames.value));
+    return std::get<double>(*frame.value) == 1 &&
+           bake.name == frame_name(sequence_name(bake.name), 1, count);
+}
+
 // Returns a bake for each frame. An asset that is made from another one is made from its frame.
 std::vector<OpenBake> divided_in_time(const OpenBake& whole, int frames) {
     std::vector<OpenBake> parts;
@@ -178,7 +188,7 @@ std::vector<OpenBake> divided_into_parts(std::vector<OpenBake> open, const Param
                              "whose wavelengths are held by", decoder);
         } else {
             const bool is_one_frame = bake.section.find("frame") != nullptr;
-            if (is_one_frame) forget_sequence(bake.section);
+            if (is_one_frame && !is_carried_first(bake)) forget_sequence(bake.section);
             parts.push_back(std::move(bake));
         }
         std::ranges::move(parts, std::back_inserter(result));

@@ -191,6 +191,20 @@ TEST(Frames, OfOneNumberAreOneAsset) {
     EXPECT_EQ(frame_of(recipe.parameters, recipe.parameters.bakes[0]), 7);
 }
 
+// Only a first frame as its files carry it places the others.
+TEST(Frames, AreCountedByTheFirstWithAScene) {
+    const auto frames = [](const std::string& name, int frame, const std::string& formats) {
+        std::string text = frames_recipe(
+            fmt::format("frames = 4\nframe = {}\nformats = [{}]", frame, formats), "period = 4");
+        text.replace(text.find("bake.n"), 6, "bake." + name);
+        return files_of(valid(text).parameters.bakes.at(0)).frames;
+    };
+    EXPECT_EQ(frames("n_0001", 1, "'vdb', 'usda'"), 4);
+    EXPECT_EQ(frames("n_0001", 1, "'vdb'"), 0);
+    EXPECT_EQ(frames("n_0001", 2, "'vdb', 'usda'"), 0);
+    EXPECT_EQ(frames("n", 1, "'vdb', 'usda'"), 0);
+}
+
 TEST(Frames, ThatAreNoWholeLoopsAreWarnedOf) {
     const auto outcome = parse(frames_recipe("frames = 10", "period = 4"));
     ASSERT_TRUE(outcome.value);

@@ -167,16 +167,5 @@ TEST(AttributePieces, VolumesHaveNoLongAttribute) {
                            file_entry_json(manifest.assets[0], manifest.assets[0].files[0])}}));
 }
 
-// A name that is too long once a piece's number stands behind it.
-TEST(AttributePieces, LongNamesOfPiecesAreRefused) {
-    ExrImage image;
-    image.pixels = testing::sample_image(2, 2, 1);
-    image.channel_names = {"Y"};
-    image.attributes = {{"skybake/" + std::string(22, 'n'), "short"}};
-    EXPECT_TRUE(encode_exr(image).value.has_value());
-    image.attributes[0].second = text_of(250);
-    EXPECT_EQ(testing::first_code(encode_exr(image).diagnostics), "E0500");
-}
-
 }  // namespace
 }  // namespace skybake

@@ -5,12 +5,11 @@
 #include <sys/resource.h>
 
 #include <atomic>
-#include <cmath>
 #include <csignal>
 
-#include "bakers/math/bake_options.h"
 #include "tests/io/files.h"
 #include "tests/io/vdb_samples.h"
+#include "tests/support/cancelled_at.h"
 
 namespace skybake {
 namespace {
@@ -68,28 +67,6 @@ TEST(VdbWriteFails, WhereTheFileCannotBeMade) {
     EXPECT_EQ(first_code(write_sample(volume, folder.path()).diagnostics), "E0301");
 }
 
-TEST(VdbWriteFails, ForValuesThatFilesCannotHold) {
-    const TemporaryFolder folder;
-    const auto code = [&](float value, PixelType type) {
-        Baked volume = vdb_sample({130, 40, 20}, 2, type);
-        volume.levels[0].voxels =
-            std::make_shared<testing::FunctionVoxels>([=](int x, int y, int z, int channel) {
-                return x == 129 && y == 33 && z == 7 && channel == 1 ? value : 0.5F;
-            });
-        const auto written = write_sample(volume, folder / "v.vdb");
-        if (written.diagnostics.empty()) return std::string();
-        EXPECT_NE(written.diagnostics[0].message.find("(129, 33, 7), channel G"), std::string::npos)
-            << written.diagnostics[0].message;
-        return written.diagnostics[0].code;
-    };
-    EXPECT_EQ(code(NAN, PixelType::float32), "E0401");
-    EXPECT_EQ(code(-INFINITY, PixelType::half), "E0401");
-    EXPECT_EQ(code(65520, PixelType::half), "E0402");
-    EXPECT_EQ(code(-1e6F, PixelType::half), "E0402");
-    EXPECT_EQ(code(std::nextafter(65520.0F, 0.0F), PixelType::half), "");  // rounds to 65504
-    EXPECT_EQ(code(-1e6F, PixelType::float32), "");
-}
-
 TEST(VdbWriteFails, ForVolumesThatContradictThemselves) {
     const TemporaryFolder folder;
     const auto code = [&](auto&& change) {
@@ -114,16 +91,6 @@ TEST(VdbWriteFails, WhereVoxelsThrow) {
     EXPECT_EQ(first_code(write_sample(volume, folder / "v.vdb").diagnostics), "E0301");
 }
 
-class CancelledAfter : public Progress {
-  public:
-    explicit CancelledAfter(int looks) : left_(looks) {}
-    void advance(std::string_view, double fraction) override { EXPECT_LT(fraction, 1); }
-    bool cancelled() const override { return left_.fetch_sub(1) <= 0; }
-
-  private:
-    mutable std::atomic<int> left_;
-};
-
 TEST(VdbWriteInterrupted, ReturnsEarlyWithoutAnError) {
     const TemporaryFolder folder;
     std::atomic<int> asked = 0;
@@ -133,7 +100,7 @@ TEST(VdbWriteInterrupted, ReturnsEarlyWithoutAnError) {
             if (x % 128 == 0 && y % 32 == 0 && z % 128 == 0) ++asked;
             return 0.5F;
         });
-    CancelledAfter progress(30);
+    testing::CancelledAt progress("write", 10);
     testing::write_bytes(folder / "v.vdb", "");
     const auto written = write_vdb(volume, 0, {}, 2, &progress, folder / "v.vdb");
     ASSERT_TRUE(written.value.has_value());

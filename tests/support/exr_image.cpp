@@ -4,14 +4,11 @@
 #include <ImfIO.h>
 #include <ImfInputFile.h>
 #include <ImfOutputFile.h>
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <cstring>
 #include <exception>
-#include <optional>
 #include <stdexcept>
 
 #include "bakers/io/files/file_io.h"
@@ -22,8 +19,6 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little,
               "texels are stored as they lie in memory");
-
-constexpr float largest_half = 65504.0f;
 
 // --- Streams ------------------------------------------------------------------------------------
 
@@ -67,55 +62,8 @@ class MemoryInput : public Imf::IStream {
 
 // --- Writing ------------------------------------------------------------------------------------
 
-Outcome<std::string> refused(std::string code, std::string message) {
-    return {{}, {file_error(std::move(code), "", std::move(message))}};
-}
-
-// Returns what would make a file that this profile does not know, as a mistake of the program.
-std::optional<std::string> contradiction(const ExrImage& image) {
-    const Image2<float>& pixels = image.pixels;
-    if (pixels.width < 1 || pixels.height < 1 || pixels.channels < 1)
-        return "an image without texels";
-    if (image.channel_names.size() != static_cast<std::size_t>(pixels.channels)) {
-        return fmt::format("{} channels with {} names", pixels.channels,
-                           image.channel_names.size());
-    }
-    if (pixels.texels.size() != pixels.offset(0, pixels.height)) {
-        return "an image whose texels do not match its size";
-    }
-    return bad_attribute_name(image.attributes);
-}
-
-// The first texel that the file cannot hold. The place is given as users count: column, row,
-// channel.
-std::optional<config::Diagnostic> unstorable_texel(const ExrImage& image) {
-    const bool half = image.pixel_type == PixelType::half;
-    const Image2<float>& pixels = image.pixels;
-    for (std::size_t i = 0; i < pixels.texels.size(); ++i) {
-        const float value = pixels.texels[i];
-        const bool finite = std::isfinite(value);
-        if (finite && !(half && std::abs(value) > largest_half)) continue;
-        const std::size_t channel = i % static_cast<std::size_t>(pixels.channels);
-        const std::size_t texel = i / static_cast<std::size_t>(pixels.channels);
-        const auto width = static_cast<std::size_t>(pixels.width);
-        const std::string place = fmt::format("column {}, row {}, channel {}", texel % width,
-                                              texel / width, image.channel_names[channel]);
-        if (!finite) {
-            return file_error("E0401", "", fmt::format("the texel at {} is {}", place, value));
-        }
-        return file_error("E0402", "",
-                          fmt::format("the texel at {} is {}: a half holds at most {}", place,
-                                      value, largest_half));
-    }
-    return std::nullopt;
-}
-
-template <class T>
-std::vector<T> converted(const std::vector<float>& values) {
-    std::vector<T> result;
-    result.reserve(values.size());
-    for (const float value : values) result.push_back(T(value));
-    return result;
+std::vector<half> halves_of(const std::vector<float>& values) {
+    return {values.begin(), values.end()};
 }
 
 // Slices that let the library walk over interleaved texels of type T.
@@ -184,17 +132,11 @@ Outcome<ExrImage> decode(std::string_view bytes, const std::string& name) {
 }  // namespace
 
 Outcome<std::string> encode_exr(const ExrImage& image) {
-    if (const auto reason = contradiction(image)) return refused("E0500", *reason);
-    if (auto diagnostic = unstorable_texel(image)) return {{}, {std::move(*diagnostic)}};
-    try {
-        if (image.pixel_type == PixelType::half) {
-            const auto texels = converted<half>(image.pixels.texels);
-            return {write_texels(image, texels.data(), Imf::HALF), {}};
-        }
-        return {write_texels(image, image.pixels.texels.data(), Imf::FLOAT), {}};
-    } catch (const std::exception& error) {
-        return refused("E0500", fmt::format("OpenEXR cannot encode the image: {}", error.what()));
+    if (image.pixel_type == PixelType::half) {
+        const auto texels = halves_of(image.pixels.texels);
+        return {write_texels(image, texels.data(), Imf::HALF), {}};
     }
+    return {write_texels(image, image.pixels.texels.data(), Imf::FLOAT), {}};
 }
 
 Outcome<ExrImage> decode_exr(std::string_view bytes, const std::string& name) {
@@ -217,7 +159,7 @@ std::string stored_bytes(const Image2<float>& image, PixelType type) {
         return std::string(reinterpret_cast<const char*>(values.data()),
                            values.size() * sizeof(values[0]));
     };
-    if (type == PixelType::half) return bytes_of(converted<half>(image.texels));
+    if (type == PixelType::half) return bytes_of(halves_of(image.texels));
     return bytes_of(image.texels);
 }
 

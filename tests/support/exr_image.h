@@ -24,11 +24,7 @@ struct ExrImage {
     Attributes attributes;  // texts, sorted by name; a file holds long ones in pieces
 };
 
-// The bytes of the file. Equal images give equal bytes: no time, no thread count goes in.
-// E0401: a texel is NaN or infinite. E0402: a texel is beyond ±65504 in a half image.
-// E0500: an attribute's name, or that of one of its pieces, is longer than the 31 characters that
-// old readers can hold, or the image's own sizes contradict each other (a mistake of the program,
-// not of the user).
+// The bytes of the file, the same for equal images. Throws what the library throws.
 config::Outcome<std::string> encode_exr(const ExrImage& image);
 
 // Reads an image of the profile; `name` stands for the file in diagnostics. Lines in decreasing Y

@@ -6,8 +6,8 @@
 
 #include "bakers/field/baked.h"
 #include "bakers/field/pixel_type.h"
+#include "bakers/field/take_boxes.h"
 #include "bakers/math/memory.h"
-#include "bakers/math/parallel.h"
 
 namespace skybake {
 
@@ -118,25 +118,12 @@ bool write_texels(const FileContent& content, int level_number, TexelPadding pad
     const std::size_t channels = content.baked.channel_names.size();
     const bool pads = padding == TexelPadding::three_to_four && channels == 3;
     const BoxSequence boxes(level.size, static_cast<int>(channels));
-    std::vector<Slot> slots(static_cast<std::size_t>(box_slots(content.threads)));
-    bool complete = true;
-    ordered_pipeline(
-        boxes.count(), content.threads, static_cast<int>(slots.size()),
-        [&](int i, int slot) {
-            if (is_cancelled(content.progress)) return;
-            make(level, channels, pads ? 4 : channels, content.baked.pixel_type, boxes[i],
-                 slots[static_cast<std::size_t>(slot)]);
+    return write_boxes<Slot>(
+        boxes.count(), content.threads, content.progress,
+        [&](int i, Slot& slot) {
+            make(level, channels, pads ? 4 : channels, content.baked.pixel_type, boxes[i], slot);
         },
-        [&](int i, int slot) {
-            complete = !is_cancelled(content.progress);
-            if (!complete) return false;
-            const bool goes_on = put(slots[static_cast<std::size_t>(slot)].bytes);
-            if (content.progress != nullptr) {
-                content.progress->advance("write", (i + 1.0) / boxes.count());
-            }
-            return goes_on;
-        });
-    return complete;
+        [&](int, const Slot& slot) { return put(slot.bytes); });
 }
 
 TexelSink texel_sink(FileOutput& output) {

@@ -11,7 +11,7 @@
 #include "bakers/field/block_voxels.h"
 #include "bakers/field/pixel_type.h"
 #include "bakers/field/stored_voxels.h"
-#include "bakers/math/parallel.h"
+#include "bakers/field/take_boxes.h"
 
 namespace skybake {
 namespace {
@@ -48,25 +48,13 @@ bool write_blocks(const FileContent& content, int level_number, const TexelSink&
     const Level& level = content.baked.levels[static_cast<std::size_t>(level_number)];
     const std::size_t channels = content.baked.channel_names.size();
     const BlockBoxes boxes(level.size, channels);
-    std::vector<std::string> slots(static_cast<std::size_t>(box_slots(content.threads)));
-    bool complete = true;
-    ordered_pipeline(
-        boxes.count(), content.threads, static_cast<int>(slots.size()),
-        [&](int i, int slot) {
-            if (is_cancelled(content.progress)) return;
-            slots[static_cast<std::size_t>(slot)] = coded_blocks(
-                *level.uncoded, level.size, content.baked.pixel_type, channels, boxes[i]);
+    return write_boxes<std::string>(
+        boxes.count(), content.threads, content.progress,
+        [&](int i, std::string& bytes) {
+            bytes = coded_blocks(*level.uncoded, level.size, content.baked.pixel_type, channels,
+                                 boxes[i]);
         },
-        [&](int i, int slot) {
-            complete = !is_cancelled(content.progress);
-            if (!complete) return false;
-            const bool goes_on = put(slots[static_cast<std::size_t>(slot)]);
-            if (content.progress != nullptr) {
-                content.progress->advance("write", (i + 1.0) / boxes.count());
-            }
-            return goes_on;
-        });
-    return complete;
+        [&](int, const std::string& bytes) { return put(bytes); });
 }
 
 // Writes the texels of a block to rows of `width` texels, as far as they lie within.

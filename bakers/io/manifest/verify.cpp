@@ -7,10 +7,12 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <utility>
 
 #include "bakers/field/finish_table.h"
 #include "bakers/field/pixel_type.h"
+#include "bakers/field/value_kernel.h"
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/files/to_string.h"
 #include "bakers/io/formats/format.h"
@@ -58,13 +60,16 @@ class VoxelCheck {
 
     void add(std::int64_t first, std::int64_t count, const float* values) {
         const auto total = static_cast<std::size_t>(count) * channels_;
+        constexpr float kMost = std::numeric_limits<float>::max();
+        const bool as_they_are = channels_ == 1 && are_within(values, total, -kMost, kMost);
         for (std::size_t c = 0; c < channels_; ++c) {
-            for (std::size_t i = c; i < total; i += channels_) {
-                const double value = values[i];
-                not_finite_ += std::isfinite(value) ? 0 : 1;
-                min_[c] = std::min(min_[c], value);
-                max_[c] = std::max(max_[c], value);
-            }
+            const std::span<const float> finite =
+                as_they_are ? std::span(values, total) : finite_values(values, total, c);
+            not_finite_ += count - std::ssize(finite);
+            LaneSummary lanes;
+            add_values(finite.data(), finite.size(), lanes);
+            min_[c] = std::min(min_[c], *std::ranges::min_element(lanes.least));
+            max_[c] = std::max(max_[c], *std::ranges::max_element(lanes.most));
         }
         bytes_.resize(total * static_cast<std::size_t>(bytes_per_value(type_)));
         store_values(values, total, type_, bytes_.data());
@@ -100,6 +105,15 @@ class VoxelCheck {
     }
 
   private:
+    std::span<const float> finite_values(const float* values, std::size_t total,
+                                         std::size_t channel) {
+        finite_.clear();
+        for (std::size_t i = channel; i < total; i += channels_) {
+            if (std::isfinite(values[i])) finite_.push_back(values[i]);
+        }
+        return finite_;
+    }
+
     // Checks that the texture coordinates lie within the texture along axes that do not repeat.
     void check_within(Examination& examination, const Probe& probe) const {
         bool within = true;
@@ -138,7 +152,8 @@ class VoxelCheck {
     const PixelType type_;
     std::vector<double> min_;
     std::vector<double> max_;
-    long not_finite_ = 0;
+    std::int64_t not_finite_ = 0;
+    std::vector<float> finite_;
     Hasher hasher_;
     std::string bytes_;
     std::vector<std::int64_t> wanted_;  // the voxels that probes look up, sorted

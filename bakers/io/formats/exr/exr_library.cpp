@@ -268,16 +268,6 @@ std::string chunk_of_library(const ExrFacts& facts, int rows, const std::string&
     return file.bytes().substr(exr_file_head(header).size() + position_and_chunk_head);
 }
 
-std::optional<std::string> bad_attribute_name(const Attributes& attributes) {
-    for (const auto& [name, text] : split_attributes(attributes)) {
-        if (name.empty() || name.size() > longest_attribute_name) {
-            return fmt::format("the attribute name `{}` has {} characters, {} are the most", name,
-                               name.size(), longest_attribute_name);
-        }
-    }
-    return std::nullopt;
-}
-
 std::vector<Imf::Header> exr_headers(Imf::IStream& stream, std::uint64_t bytes, int& version) {
     constexpr std::size_t most_parts = 1024;
     const std::int32_t magic = read_integer(stream);

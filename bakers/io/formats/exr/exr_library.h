@@ -38,10 +38,6 @@ int rows_of_exr_chunk(config::Compression compression);
 // Throws what the library throws. Any thread may call it.
 std::string chunk_of_library(const ExrFacts& facts, int rows, const std::string& texels);
 
-// Returns which rule an attribute's name breaks, in words, or nothing. The names are those in the
-// file, so long texts are already in pieces.
-std::optional<std::string> bad_attribute_name(const Attributes& attributes);
-
 // Reads the headers of all parts of a file of `bytes` bytes, at least one, and its version with its
 // flags. Throws what the library and the stream throw, and std::runtime_error with the reason if they
 // claim more bytes than the file has.

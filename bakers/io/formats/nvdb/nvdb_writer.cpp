@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "bakers/field/baked.h"
+#include "bakers/field/take_boxes.h"
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/formats/nvdb/nvdb_input.h"
 #include "bakers/io/formats/nvdb/nvdb_layout.h"
 #include "bakers/io/formats/nvdb/nvdb_leaves.h"
 #include "bakers/io/formats/vdb/vdb_file.h"
-#include "bakers/math/parallel.h"
 
 namespace skybake {
 namespace {
@@ -133,19 +133,13 @@ class NvdbGridWriter {
     bool write_leaves() {
         const auto count = static_cast<int>(nodes_.count());
         lower_.resize(nodes_.count());
-        std::vector<NvdbSlot> slots(static_cast<std::size_t>(box_slots(content_.threads)));
-        bool complete = true;
-        ordered_pipeline(
-            count, content_.threads, static_cast<int>(slots.size()),
-            [&](int i, int slot) {
-                if (is_cancelled(content_.progress)) return;
+        return write_boxes<NvdbSlot>(
+            count, content_.threads, content_.progress,
+            [&](int i, NvdbSlot& made) {
                 make_nvdb_leaves(volume_, level_, channel_, box_of(static_cast<std::size_t>(i)),
-                                 slots[static_cast<std::size_t>(slot)]);
+                                 made);
             },
-            [&](int i, int slot) {
-                complete = !is_cancelled(content_.progress);
-                if (!complete) return false;
-                NvdbSlot& made = slots[static_cast<std::size_t>(slot)];
+            [&](int i, NvdbSlot& made) {
                 output_.write(made.leaves);
                 for (std::size_t at = 0; at < made.leaves.size(); at += leaf_bytes_) {
                     leaf_checksums_.push_back(nvdb_crc(made.leaves.substr(at, leaf_bytes_)));
@@ -153,12 +147,8 @@ class NvdbGridWriter {
                 made.node.first_leaf = leaves_;
                 leaves_ += made.node.leaves;
                 lower_[static_cast<std::size_t>(i)] = made.node;
-                if (content_.progress != nullptr) {
-                    content_.progress->advance("write", (i + 1.0) / count);
-                }
                 return output_.error() == 0;
             });
-        return complete;
     }
 
     // Lists the lower nodes that have leaves, and the upper nodes above them.

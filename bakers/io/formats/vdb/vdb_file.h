@@ -53,7 +53,6 @@ inline constexpr std::size_t vdb_most_kept_bytes = 256 << 20;
 // and channel, and a few strips of 2 MiB per thread.
 //
 // E0301: the file cannot be written; the message has the system's reason.
-// E0401: a voxel is NaN or infinite. E0402: a voxel rounds to an infinite half.
 // E0500: VDB files cannot have the level, pixel type, hash or shape (a bug in the program).
 config::Outcome<bool> write_vdb(const Baked& volume, int level, const Attributes& attributes,
                                 int threads, Progress* progress, const std::filesystem::path& path,

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstddef>
-#include <filesystem>
 #include <optional>
 #include <vector>
 
@@ -16,8 +15,6 @@
 
 namespace skybake {
 
-struct Baked;
-
 // Returns the strips of a volume in the order of its tree, node after node.
 std::vector<VoxelBox> vdb_strips(const std::array<int, 3>& size);
 
@@ -27,32 +24,6 @@ struct VdbStripSlot {
     VdbLeaves leaves;  // leaves with active voxels
     VdbStrip encoded;
     std::optional<config::Diagnostic> error;
-};
-
-class VdbStripMaker {
-  public:
-    VdbStripMaker(const Baked& volume, const Level& level, const VdbCodec& codec,
-                  const std::filesystem::path& path);
-
-    VdbEncoding encoding() const { return encoding_; }
-
-    // Fills in slot.values and slot.leaves, or slot.error: E0401 for a voxel that is NaN or
-    // infinite, E0402 for one that rounds to an infinite half. Throws what the volume's source
-    // throws.
-    void evaluate(const VoxelBox& strip, std::size_t channel, VdbStripSlot& slot) const;
-    // Fills in slot.encoded from slot.values and slot.leaves.
-    void encode(const VoxelBox& strip, VdbStripSlot& slot) const;
-
-  private:
-    [[nodiscard]] std::optional<config::Diagnostic> unstorable_voxel(const AlignedFloats& values,
-                                                                     const VoxelBox& strip,
-                                                                     std::size_t channel) const;
-
-    const Baked& volume_;
-    const Level& level_;
-    const VdbCodec& codec_;
-    const std::filesystem::path& path_;
-    const VdbEncoding encoding_;
 };
 
 }  // namespace skybake

@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <exception>
-#include <functional>
 #include <string_view>
 #include <utility>
 
 #include "bakers/field/baked.h"
+#include "bakers/field/take_boxes.h"
 #include "bakers/io/formats/vdb/vdb_file.h"
-#include "bakers/math/parallel.h"
+#include "bakers/math/memory.h"
 
 namespace skybake {
 namespace {
@@ -53,22 +53,6 @@ std::uint16_t node_place(const VoxelBox& strip) {
     return static_cast<std::uint16_t>(place);
 }
 
-// Runs `produce` and `consume` over `count` items, each with a slot.
-void run_pipeline(std::size_t count, int threads,
-                  const std::function<void(std::size_t index, VdbStripSlot& slot)>& produce,
-                  const std::function<bool(std::size_t index, VdbStripSlot& slot)>& consume) {
-    std::vector<VdbStripSlot> slots(static_cast<std::size_t>(box_slots(threads)));
-    const auto slot_of = [&](int slot) -> VdbStripSlot& {
-        return slots[static_cast<std::size_t>(slot)];
-    };
-    ordered_pipeline(
-        static_cast<int>(count), threads, static_cast<int>(slots.size()),
-        [&](int index, int slot) { produce(static_cast<std::size_t>(index), slot_of(slot)); },
-        [&](int index, int slot) {
-            return consume(static_cast<std::size_t>(index), slot_of(slot));
-        });
-}
-
 }  // namespace
 
 Diagnostic cannot_write_vdb(const std::filesystem::path& path, const std::string& reason) {
@@ -85,7 +69,7 @@ VdbWriter::VdbWriter(const Baked& volume, const Level& level, const VdbCodec& co
       most_kept_bytes_(most_kept_bytes),
       progress_(progress),
       path_(path),
-      maker_(volume, level, codec, path),
+      encoding_{volume.pixel_type == PixelType::half, volume.vdb_compression},
       file_(path),
       active_(volume.channel_names.size()) {}
 
@@ -121,17 +105,20 @@ void VdbWriter::take_all_parts() {
 }
 
 void VdbWriter::survey(int threads) {
+    return_freed_memory();  // which would wait in vain while bytes are kept
     const std::vector<VoxelBox> strips = vdb_strips(level_.size);
     const std::size_t count = active_.size() * strips.size();
-    run_pipeline(
-        count, threads,
-        [&](std::size_t i, VdbStripSlot& slot) {
-            survey_strip(i / strips.size(), strips[i % strips.size()], slot);
-        },
-        [&](std::size_t i, VdbStripSlot& slot) {
+    const auto grid_of = [&](int i) { return static_cast<std::size_t>(i) / strips.size(); };
+    const auto strip_of = [&](int i) {
+        return strips[static_cast<std::size_t>(i) % strips.size()];
+    };
+    take_boxes<VdbStripSlot>(
+        static_cast<int>(count), threads, box_slots(threads),
+        [&](int i, VdbStripSlot& slot) { survey_strip(grid_of(i), strip_of(i), slot); },
+        [&](int i, VdbStripSlot& slot) {
             if (!going_well()) return false;
             error_ = slot.error;
-            if (!error_) keep(i / strips.size(), strips[i % strips.size()], slot);
+            if (!error_) keep(grid_of(i), strip_of(i), slot);
             report(static_cast<double>(i + 1) / static_cast<double>(count) / 2);
             return going_well();
         });
@@ -142,11 +129,24 @@ void VdbWriter::survey_strip(std::size_t channel, const VoxelBox& strip, VdbStri
     if (cancelled()) return;
     try {
         if (level_.voxels->is_empty(strip)) return;
-        maker_.evaluate(strip, channel, slot);
-        if (!slot.error && !slot.leaves.empty() && keeps_bytes_) maker_.encode(strip, slot);
+        evaluate(strip, channel, slot);
+        if (!slot.leaves.empty() && keeps_bytes_) encode(strip, slot);
     } catch (const std::exception& error) {
         slot.error = cannot_write_vdb(path_, error.what());
     }
+}
+
+void VdbWriter::evaluate(const VoxelBox& strip, std::size_t channel, VdbStripSlot& slot) const {
+    slot.values.resize(static_cast<std::size_t>(strip.count()));
+    std::vector<float*> channels(volume_.channel_names.size(), nullptr);
+    channels[channel] = slot.values.data();
+    level_.voxels->fill(strip, channels);
+    slot.leaves = volume_.sparse ? active_leaves(strip, slot.values.data(), volume_.pixel_type)
+                                 : all_leaves(strip);
+}
+
+void VdbWriter::encode(const VoxelBox& strip, VdbStripSlot& slot) const {
+    codec_.encode_strip(strip, slot.values.data(), slot.leaves, encoding_, slot.encoded);
 }
 
 // Keeps the bytes of the first strips, as far as they fit. Which strips these are does not depend
@@ -172,13 +172,13 @@ void VdbWriter::keep(std::size_t grid, const VoxelBox& strip, VdbStripSlot& slot
 
 void VdbWriter::write_parts(int threads) {
     const double surveyed = volume_.sparse ? 0.5 : 0;
-    run_pipeline(
-        parts_.size(), threads,
-        [&](std::size_t i, VdbStripSlot& slot) { encode_part(parts_[i], slot); },
-        [&](std::size_t i, VdbStripSlot& slot) {
+    take_boxes<VdbStripSlot>(
+        static_cast<int>(parts_.size()), threads, box_slots(threads),
+        [&](int i, VdbStripSlot& slot) { encode_part(parts_[static_cast<std::size_t>(i)], slot); },
+        [&](int i, VdbStripSlot& slot) {
             if (!going_well()) return false;
             error_ = slot.error;
-            if (error_ || !write_part(i, slot)) return false;
+            if (error_ || !write_part(static_cast<std::size_t>(i), slot)) return false;
             const double written = static_cast<double>(i + 1) / static_cast<double>(parts_.size());
             report(surveyed + (1 - surveyed) * written);
             return going_well();
@@ -191,8 +191,8 @@ void VdbWriter::write_parts(int threads) {
 void VdbWriter::encode_part(const Part& part, VdbStripSlot& slot) const {
     if (part.is_encoded || cancelled()) return;
     try {
-        maker_.evaluate(part.strip, part.grid, slot);
-        if (!slot.error) maker_.encode(part.strip, slot);
+        evaluate(part.strip, part.grid, slot);
+        encode(part.strip, slot);
     } catch (const std::exception& error) {
         slot.error = cannot_write_vdb(path_, error.what());
     }
@@ -245,7 +245,7 @@ VdbGridDescription VdbWriter::describe(std::size_t channel) const {
         grid.voxel_size[axis] = volume_.voxel_size_m[axis] * (voxels / level_.size[axis]);
         grid.first_centre[axis] = volume_.minimum_m[axis] + grid.voxel_size[axis] / 2;
     }
-    grid.encoding = maker_.encoding();
+    grid.encoding = encoding_;
     grid.metadata = {{"units", "metres"}, {"up_axis", volume_.up_axis}};
     return grid;
 }
@@ -258,9 +258,9 @@ void VdbWriter::write_topology(Parts parts) {
         std::vector<std::uint16_t> places;
         for (const Parts& node : nodes) places.push_back(node_place(node.front().strip));
         const auto corner = node_corner(upper_node.front().strip, vdb_upper_node_edge);
-        file_.write(codec_.upper_node(corner, places, maker_.encoding()));
+        file_.write(codec_.upper_node(corner, places, encoding_));
         for (const Parts& node : nodes) {
-            file_.write(codec_.lower_node(leaves_of_node(node), maker_.encoding()));
+            file_.write(codec_.lower_node(leaves_of_node(node), encoding_));
             if (!going_well()) return;
         }
     }

@@ -62,6 +62,10 @@ class VdbWriter {
 
     void write_parts(int threads);
     void encode_part(const Part& part, VdbStripSlot& slot) const;
+    // Fills in slot.values and slot.leaves, from which `encode` makes slot.encoded. Throws what the
+    // volume's source throws.
+    void evaluate(const VoxelBox& strip, std::size_t channel, VdbStripSlot& slot) const;
+    void encode(const VoxelBox& strip, VdbStripSlot& slot) const;
     bool write_part(std::size_t index, VdbStripSlot& slot);
     void begin_grids_through(std::size_t grid);
     void begin_grid(std::size_t grid);
@@ -77,7 +81,7 @@ class VdbWriter {
     const std::size_t most_kept_bytes_;
     Progress* const progress_;
     const std::filesystem::path& path_;
-    const VdbStripMaker maker_;
+    const VdbEncoding encoding_;
     FileOutput file_;
     std::optional<config::Diagnostic> error_;
 
