@@ -1,5 +1,5 @@
 set_tests_properties(
-    CloudPresets.WhatGrowsIsAsThickAndAsRoughAsNature
+    CloudPresets.TheSmallestCumuliAreAsThickAndAsRoughAsNature
     HonestClaims.HoldOnTwelveAtmospheres
     TablesOfColors.OfFourWavelengthsLookLikeThoseOfEight
     bytes.compilers
