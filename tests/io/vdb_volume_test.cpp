@@ -52,8 +52,8 @@ std::vector<Case> cases() {
             }
         }
     }
-    all.push_back({{200, 200, 200}, 1, PixelType::half, VdbCompression::blosc});
-    all.push_back({{200, 200, 200}, 1, PixelType::float32, VdbCompression::none});
+    all.push_back({{140, 140, 140}, 1, PixelType::half, VdbCompression::blosc});
+    all.push_back({{140, 140, 140}, 1, PixelType::float32, VdbCompression::none});
     all.push_back({{4100, 3, 2}, 1, PixelType::half, VdbCompression::zip});  // two root children
     all.push_back({{2, 3, 4100}, 2, PixelType::float32, VdbCompression::blosc});
     return all;
