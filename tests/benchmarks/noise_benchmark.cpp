@@ -7,7 +7,6 @@
 #include <benchmark/benchmark.h>
 #include <hwy/targets.h>
 
-#include <algorithm>
 #include <cstring>
 #include <string>
 #include <vector>

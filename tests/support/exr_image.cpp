@@ -6,7 +6,6 @@
 #include <ImfOutputFile.h>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstring>
