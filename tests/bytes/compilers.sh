@@ -8,7 +8,7 @@ fi
 cmake -S "$SKYBAKE_SOURCE" -B "$work/../clang-build" -G Ninja -DCMAKE_BUILD_TYPE=Release \
     -DCMAKE_CXX_COMPILER="$CLANG_COMPILER" -DSKYBAKE_WARNINGS_AS_ERRORS=ON \
     -DSKYBAKE_TESTS=ON -DSKYBAKE_BENCHMARKS=OFF -DSKYBAKE_PRECOMPILED_HEADERS=ON \
-    -DSKYBAKE_BATCHES=ON -DSKYBAKE_MODULES=OFF -DCMAKE_CXX_FLAGS_RELEASE="-O2 -DNDEBUG" >/dev/null
+    -DSKYBAKE_BATCHES=ON -DCMAKE_CXX_FLAGS_RELEASE="-O2 -DNDEBUG" >/dev/null
 cmake --build "$work/../clang-build" --target bake_without_cli
 bake "$work/clang" "$work/../clang-build/tests/bytes/bake_without_cli"
 same "$reference" "$work/clang"
