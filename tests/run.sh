@@ -9,7 +9,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 folder=build/quickstart
-jobs=$(nproc)
+jobs=$(($(nproc) + 1))  # some tests wait: for servers, disks, signals
 
 mode=${1:-}
 packages=--tests

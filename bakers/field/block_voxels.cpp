@@ -15,17 +15,15 @@ namespace skybake {
 namespace {
 
 constexpr int block_edge = 4;
-constexpr int leaf_edge = 8;
 
 // Returns the blocks that contain a box, cut off at the edge of the volume.
-VoxelBox whole_blocks(const VoxelBox& box, const std::array<int, 3>& size, PixelType type) {
-    const int edge = config::is_leaf_coded(type) ? leaf_edge : block_edge;
-    VoxelBox whole;
-    for (std::size_t a = 0; a < 3; ++a) {
-        const int along = a == 2 && !config::is_leaf_coded(type) ? 1 : edge;
+VoxelBox whole_blocks(const VoxelBox& box, const std::array<int, 3>& size) {
+    VoxelBox whole = box;
+    for (std::size_t a = 0; a < 2; ++a) {
         const int end = box.origin[a] + box.size[a];
-        whole.origin[a] = box.origin[a] / along * along;
-        whole.size[a] = std::min(size[a], (end + along - 1) / along * along) - whole.origin[a];
+        whole.origin[a] = box.origin[a] / block_edge * block_edge;
+        whole.size[a] =
+            std::min(size[a], (end + block_edge - 1) / block_edge * block_edge) - whole.origin[a];
     }
     return whole;
 }
@@ -114,14 +112,8 @@ class DecodedVoxels : public VoxelSource {
             wanted.push_back(channel != nullptr || type_ == PixelType::bc6h ||
                              type_ == PixelType::bc5);
         }
-        Planes planes(*voxels_, whole_blocks(box, size_, type_), wanted);
-        if (config::is_leaf_coded(type_)) {
-            for (std::size_t c = 0; c < wanted.size(); ++c) {
-                if (wanted[c]) decode_leaves(planes, c);
-            }
-        } else {
-            decode_blocks(planes);
-        }
+        Planes planes(*voxels_, whole_blocks(box, size_), wanted);
+        decode_blocks(planes);
         for (std::size_t c = 0; c < channels.size(); ++c) {
             if (channels[c] != nullptr) cut_out(planes, c, box, channels[c]);
         }
@@ -129,7 +121,7 @@ class DecodedVoxels : public VoxelSource {
 
     // Zeros stay zeros.
     bool is_empty(const VoxelBox& box) const override {
-        return voxels_->is_empty(whole_blocks(box, size_, type_));
+        return voxels_->is_empty(whole_blocks(box, size_));
     }
 
   private:
@@ -174,39 +166,6 @@ class DecodedVoxels : public VoxelSource {
         if (range_of(type_).contains(value)) value = decoded;
     }
 
-    // A leaf beyond the edge of the volume is filled with 0, as in files (nvdb_leaves.cpp).
-    void decode_leaves(Planes& planes, std::size_t channel) const {
-        std::array<float, 512> values;
-        std::array<std::uint16_t, 512> codes;
-        const std::array<int, 3>& size = planes.box.size;
-        for (int z = 0; z < size[2]; z += leaf_edge) {
-            for (int y = 0; y < size[1]; y += leaf_edge) {
-                for (int x = 0; x < size[0]; x += leaf_edge) {
-                    values.fill(0);
-                    const auto visit = [&](const auto& work) {
-                        for (int k = 0; k < std::min(leaf_edge, size[2] - z); ++k) {
-                            for (int j = 0; j < std::min(leaf_edge, size[1] - y); ++j) {
-                                float* row = planes.row(channel, y + j, z + k) + x;
-                                for (int i = 0; i < std::min(leaf_edge, size[0] - x); ++i) {
-                                    work(row[i], static_cast<std::size_t>(
-                                                     (k * leaf_edge + j) * leaf_edge + i));
-                                }
-                            }
-                        }
-                    };
-                    visit([&](float value, std::size_t i) {
-                        values[i] = range_of(type_).contains(value) ? value : 0;
-                    });
-                    const LeafCodes leaf =
-                        quantize_leaf(values.data(), values.size(),
-                                      type_ == PixelType::fp8 ? 8 : 16, codes.data());
-                    visit(
-                        [&](float& value, std::size_t i) { replace(leaf.value(codes[i]), value); });
-                }
-            }
-        }
-    }
-
     std::shared_ptr<const VoxelSource> voxels_;
     std::array<int, 3> size_;
     PixelType type_;
@@ -217,7 +176,7 @@ class DecodedVoxels : public VoxelSource {
 
 std::string coded_blocks(const VoxelSource& voxels, const std::array<int, 3>& size, PixelType type,
                          std::size_t channels, const VoxelBox& box) {
-    Planes planes(voxels, whole_blocks(box, size, type), std::vector<bool>(channels, true));
+    Planes planes(voxels, whole_blocks(box, size), std::vector<bool>(channels, true));
     return code_planes(planes, type, channels);
 }
 
@@ -235,24 +194,6 @@ void code_levels(Baked& volume) {
         level.voxels = decoded_voxels(level.uncoded, level.size, volume.pixel_type,
                                       volume.channel_names.size());
     }
-}
-
-LeafCodes quantize_leaf(const float* values, std::size_t count, int bits, std::uint16_t* codes) {
-    const auto [least, largest] = std::minmax_element(values, values + count);
-    const double steps = (1 << bits) - 1;
-    const double range = double{*largest} - double{*least};
-    LeafCodes leaf{*least, static_cast<float>(range / steps)};
-    if (leaf.quantum == 0) {
-        std::fill_n(codes, count, std::uint16_t{0});
-        return leaf;
-    }
-    // The quantum is rounded, so codes are counted in units of what readers multiply with.
-    const double scale = 1 / double{leaf.quantum};
-    for (std::size_t i = 0; i < count; ++i) {
-        const double code = (double{values[i]} - double{leaf.minimum}) * scale + 0.5;
-        codes[i] = static_cast<std::uint16_t>(std::min(code, steps));
-    }
-    return leaf;
 }
 
 }  // namespace skybake

@@ -28,8 +28,6 @@ PixelRange range_of(PixelType type) {
     if (type == PixelType::half) return {-kLargestHalf, kLargestHalf};
     if (type == PixelType::bc6h) return {0, kLargestHalf};
     if (type == PixelType::rgbe) return {0, largest_rgbe};
-    // The difference of two values must be finite.
-    if (config::is_leaf_coded(type)) return {-kLargest / 2, kLargest / 2};
     return {0, 1};
 }
 
@@ -37,7 +35,6 @@ const char* range_text(PixelType type) {
     if (type == PixelType::float32) return "the finite numbers";
     if (type == PixelType::bc6h) return "[0, 65504]";
     if (type == PixelType::rgbe) return "[0, 1.69e38]";
-    if (config::is_leaf_coded(type)) return "[-1.7e38, 1.7e38]";
     return type == PixelType::half ? "[-65504, 65504]" : "[0, 1]";
 }
 
@@ -48,20 +45,17 @@ struct TypeFacts {
     double bits;            // of a value in a file
     double rounding_error;  // of types that code blocks, that of the decoded float
 };
-constexpr double kLeafHead = 96 * 8 / 512.0;  // the bits of a value in the heads of leaves
 
 // In the order of the enumerators.
 constexpr TypeFacts kTypes[] = {
-    {4, 32, 0x1p-24},              // float32
-    {2, 16, 0x1p-11},              // half
-    {1, 8, 0.5 / 255},             // unorm8
-    {2, 16, 0.5 / 65535},          // unorm16
-    {4, 32.0 / 3, 0x1p-24},        // rgbe
-    {4, 4, 0x1p-24},               // bc4
-    {4, 8.0 / 3, 0x1p-24},         // bc6h
-    {4, 8 + kLeafHead, 0x1p-24},   // fp8
-    {4, 16 + kLeafHead, 0x1p-24},  // fp16
-    {4, 4, 0x1p-24},               // bc5
+    {4, 32, 0x1p-24},        // float32
+    {2, 16, 0x1p-11},        // half
+    {1, 8, 0.5 / 255},       // unorm8
+    {2, 16, 0.5 / 65535},    // unorm16
+    {4, 32.0 / 3, 0x1p-24},  // rgbe
+    {4, 4, 0x1p-24},         // bc4
+    {4, 8.0 / 3, 0x1p-24},   // bc6h
+    {4, 4, 0x1p-24},         // bc5
 };
 
 const TypeFacts& facts_of(PixelType type) { return kTypes[static_cast<std::size_t>(type)]; }

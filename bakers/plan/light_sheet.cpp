@@ -88,7 +88,7 @@ namespace {
 
 // Half a picture, from the sun to the point opposite to it; the other half is its mirror image.
 constexpr int kHalfWidth = 32;
-constexpr double kPaths = 1 << 19;
+constexpr double kPicturePaths = 1 << 19;
 
 // The elevations that a picture shows, in rows of equal height.
 struct Band {
@@ -102,11 +102,11 @@ Band band_of(config::Draws light, const Shell& shell, double altitude_km) {
     if (light == config::Draws::surroundings) return {};
     return {-SkyViewCamera(shell, altitude_km).dip() * kDegreesPerRadian, 90, 24};
 }
-constexpr std::size_t kMostSuns = 3;
+constexpr std::size_t kMostSunsOfSheet = 3;
 
 std::vector<double> suns_of(const SceneRange& range) {
     std::vector<double> suns = range.suns_deg;
-    if (suns.size() > kMostSuns) suns.resize(kMostSuns);
+    if (suns.size() > kMostSunsOfSheet) suns.resize(kMostSunsOfSheet);
     if (!suns.empty()) return suns;
     for (const double share : {0.7, 0.25, 0.05}) {
         suns.push_back(range.lowest_sun_deg +
@@ -184,7 +184,7 @@ Outcome<std::string> light_sheet(config::Draws light, const Parameters& paramete
     const Band band = band_of(light, shell, altitude_km);
     SceneTruth truth(light, parameters, views_of(range, shell, altitude_km, band, suns), weights,
                      options);
-    truth.trace(kPaths);
+    truth.trace(kPicturePaths);
     if (options.cancelled()) return {};
     const Screen screen(parameters, !weights.empty());
     const std::vector<glm::dvec3> traced = screen.colors(truth.light());

@@ -25,12 +25,12 @@ namespace {
 constexpr std::array kSteps = {8, 16, 32, 64};
 
 // How finely the two tables of a march are stored.
-struct Grade {
+struct TableGrade {
     std::string_view transmittance, multiple_scattering, pixel_type;
 };
-constexpr std::array<Grade, 3> kGrades = {{{"[256, 64]", "[64, 64]", "float"},
-                                           {"[256, 64]", "[64, 64]", "half"},
-                                           {"[128, 32]", "[32, 16]", "half"}}};
+constexpr std::array<TableGrade, 3> kTableGrades = {{{"[256, 64]", "[64, 64]", "float"},
+                                                     {"[256, 64]", "[64, 64]", "half"},
+                                                     {"[128, 32]", "[32, 16]", "half"}}};
 
 // The light scattered before, as a march finds it.
 struct Closure {
@@ -64,7 +64,7 @@ WayAsset asset_of(std::string name, std::string_view asset, std::string_view siz
 // Adds marches whose assets have names that begin with `prefix`.
 void add_marches(const std::string& prefix, std::vector<LightWay>& ways) {
     for (const Closure& closure : closures()) {
-        for (const Grade& grade : kGrades) {
+        for (const TableGrade& grade : kTableGrades) {
             std::vector<WayAsset> assets = {asset_of(prefix + "transmittance", "transmittance",
                                                      grade.transmittance, grade.pixel_type)};
             if (!closure.keys.empty()) {

@@ -21,13 +21,13 @@
 namespace skybake {
 namespace {
 
-constexpr int kViews = 768;
-constexpr double kPaths = 3 << 17;
+constexpr int kCloudViews = 768;
+constexpr double kCloudPaths = 3 << 17;
 constexpr int kUsualVoxels = 256;  // along the longest edge
 constexpr double kMostVoxels = 1 << 25;
 
 // Raise it whenever the same parameters give other figures and no baker's version tells so.
-constexpr int kVersion = 2;
+constexpr int kVersionOfClouds = 2;
 
 const CloudVolumeBake* volume_of(const Parameters& parameters, const std::string& cloud) {
     for (const Bake& bake : parameters.bakes) {
@@ -153,12 +153,12 @@ Outcome<MeasuredWays> measure(const PlanRequest& request, const PlannedCloud& pl
     if (!recipe.value) return {{}, recipe.diagnostics};
     MeasuredWays plan;
     for (const CloudWay& way : planned.ways) plan.ways.push_back({way, {}, {}});
-    const double paths = request.paths > 0 ? request.paths : kPaths;
+    const double paths = request.paths > 0 ? request.paths : kCloudPaths;
     const std::string key = figures_key(
         *recipe.value, config::reads_of_cloud(recipe.value->parameters, planned.subject.cloud),
         assets, plan,
-        fmt::format("cloud, version {}, {} paths, views from {}, {}\n", kVersion, paths, first,
-                    fmt::join(planned.range.suns_deg, " ")));
+        fmt::format("cloud, version {}, {} paths, views from {}, {}\n", kVersionOfClouds, paths,
+                    first, fmt::join(planned.range.suns_deg, " ")));
     if (find_figures(request.cache, key, plan)) return {std::move(plan), {}};
     const BakeOptions options{.threads = request.threads, .progress = request.progress};
     const Outcome<std::vector<BakedAsset>> baked = bake_ways(*recipe.value, assets, options);
@@ -167,7 +167,7 @@ Outcome<MeasuredWays> measure(const PlanRequest& request, const PlannedCloud& pl
     const BakedAsset& finest = *assets.of(all.back(), *baked.value).front();
     const Cloud cloud = spanned_cloud(parameters, finest.bake->as<CloudVolumeBake>());
     const cloud_light::CloudLayer layer = cloud_light::make_layer(finest.baked, 0, cloud, options);
-    CloudTruth truth(layer, planned.range, cloud_views(planned.range, kViews, first), options);
+    CloudTruth truth(layer, planned.range, cloud_views(planned.range, kCloudViews, first), options);
     truth.trace(paths);
     if (options.cancelled()) return {};
     CloudOfWay clouds(cloud, truth, options);

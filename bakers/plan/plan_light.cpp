@@ -19,8 +19,8 @@
 namespace skybake {
 namespace {
 
-constexpr int kViews = 192;
-constexpr double kPaths = 3 << 19;
+constexpr int kLightViews = 192;
+constexpr double kLightPaths = 3 << 19;
 
 std::optional<Diagnostic> obstacle(const PlanSubject& subject, const Parameters& parameters) {
     if (!(parameters.atmosphere.top_radius.meters > 0)) {
@@ -93,7 +93,7 @@ std::vector<glm::dvec3> weights_of(const Parameters& parameters,
 }
 
 // Raise it whenever the same parameters give other figures and no baker's version tells so.
-constexpr int kVersion = 5;
+constexpr int kVersionOfLight = 5;
 
 std::string text_of(const std::vector<LightView>& views) {
     std::string text;
@@ -128,13 +128,13 @@ Outcome<MeasuredWays> measure(const PlanRequest& request, const PlannedScene& sc
     const Parameters& parameters = recipe.value->parameters;
     const config::Draws light = scene.subject.draws;
     std::vector<LightView> views = scene_views(light, scene.range, shell_of(parameters.atmosphere),
-                                               kViews, request.first_view());
+                                               kLightViews, request.first_view());
     MeasuredWays plan;
     for (const LightWay& way : scene.ways) plan.ways.push_back({way, {}, {}});
-    const double paths = request.paths > 0 ? request.paths : kPaths;
+    const double paths = request.paths > 0 ? request.paths : kLightPaths;
     const std::string key = figures_key(
         *recipe.value, config::reads_of_light(parameters, config::Roles::all()), assets, plan,
-        fmt::format("{}, version {}, {} paths\n{}", word_of(scene.subject), kVersion, paths,
+        fmt::format("{}, version {}, {} paths\n{}", word_of(scene.subject), kVersionOfLight, paths,
                     text_of(views)));
     if (find_figures(request.cache, key, plan)) return {std::move(plan), {}};
     const BakeOptions options{.threads = request.threads, .progress = request.progress};

@@ -70,8 +70,6 @@ inline constexpr Choice pixel_type_choices[] = {
     {PixelType::unorm16, "unorm16", "16 bits per channel for 0 to 1; bin, dds, ktx2, npy and png"},
     {PixelType::bc4, "bc4", "BC4: 4 bits per texel of one channel, 0 to 1; dds and ktx2"},
     {PixelType::bc6h, "bc6h", "BC6H: 8 bits per texel of R G B, half; dds and ktx2"},
-    {PixelType::fp8, "fp8", "NanoVDB's 8 bits between the extremes of 8 x 8 x 8 voxels"},
-    {PixelType::fp16, "fp16", "NanoVDB's 16 bits between the extremes of 8 x 8 x 8 voxels"},
     {PixelType::rgbe, "rgbe", "8 bits of each of R G B, with one exponent for the three; hdr"},
 };
 inline constexpr Choice layout_choices[] = {

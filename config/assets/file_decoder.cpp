@@ -23,8 +23,7 @@ std::int64_t voxels_of(const VoxelCounts& size) {
 
 // Rounded up.
 int bytes_of(PixelType type) {
-    constexpr PixelTypes two_bytes(PixelType::half, PixelType::unorm16, PixelType::fp16,
-                                   PixelType::rgbe);
+    constexpr PixelTypes two_bytes(PixelType::half, PixelType::unorm16, PixelType::rgbe);
     if (type == PixelType::float32) return 4;
     return two_bytes.contains(type) ? 2 : 1;
 }

@@ -6,10 +6,9 @@
 namespace skybake::config {
 
 // Types up to unorm16 hold each number by itself, and rgbe the three channels of a texel with one
-// exponent. The others code blocks of texels: bc4, bc5 and bc6h are blocks of 4 x 4 texels that GPUs
-// decode; fp8 and fp16 are leaves of NanoVDB grids. Recipes do not offer bc5, the last one, because no
-// asset has two channels.
-enum class PixelType { float32, half, unorm8, unorm16, rgbe, bc4, bc6h, fp8, fp16, bc5 };
+// exponent. The others code blocks of 4 x 4 texels, which GPUs decode. Recipes do not offer bc5, the last
+// one, because no asset has two channels.
+enum class PixelType { float32, half, unorm8, unorm16, rgbe, bc4, bc6h, bc5 };
 
 constexpr bool is_block_coded(PixelType type) { return type >= PixelType::bc4; }
 
@@ -18,10 +17,6 @@ constexpr std::size_t coded_channels(PixelType type) {
     if (type == PixelType::bc4) return 1;
     if (type == PixelType::bc5) return 2;
     return type == PixelType::bc6h || type == PixelType::rgbe ? 3 : 0;
-}
-
-constexpr bool is_leaf_coded(PixelType type) {
-    return type == PixelType::fp8 || type == PixelType::fp16;
 }
 
 // A set of pixel types.
@@ -43,12 +38,9 @@ inline constexpr PixelTypes number_types(PixelType::float32, PixelType::half, Pi
 inline constexpr PixelTypes texture_types(PixelType::float32, PixelType::half, PixelType::unorm8,
                                           PixelType::unorm16, PixelType::bc4, PixelType::bc5,
                                           PixelType::bc6h);
-inline constexpr PixelTypes nanovdb_types(PixelType::float32, PixelType::half, PixelType::fp8,
-                                          PixelType::fp16);
 inline constexpr PixelTypes all_types(PixelType::float32, PixelType::half, PixelType::unorm8,
                                       PixelType::unorm16, PixelType::bc4, PixelType::bc5,
-                                      PixelType::bc6h, PixelType::fp8, PixelType::fp16,
-                                      PixelType::rgbe);
+                                      PixelType::bc6h, PixelType::rgbe);
 
 }  // namespace skybake::config
 

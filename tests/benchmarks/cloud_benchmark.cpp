@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "bakers/clouds/cloud_field.h"
-#include "bakers/math/memory.h"
 #include "config/recipe/recipe.h"
+#include "tests/benchmarks/run.h"
 
 namespace skybake::cloud {
 namespace {
@@ -99,9 +99,5 @@ void register_all() {
 }  // namespace skybake::cloud
 
 int main(int argc, char** argv) {
-    skybake::keep_freed_memory();  // as the program does
-    skybake::cloud::register_all();
-    benchmark::Initialize(&argc, argv);
-    benchmark::RunSpecifiedBenchmarks();
-    return 0;
+    return skybake::run_benchmarks(argc, argv, skybake::cloud::register_all);
 }

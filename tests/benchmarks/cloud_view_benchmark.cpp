@@ -9,10 +9,10 @@
 #include <map>
 #include <string>
 
-#include "bakers/math/memory.h"
 #include "bakers/preview/bake_assets.h"
 #include "bakers/render/cloud_framing.h"
 #include "config/recipe/recipe.h"
+#include "tests/benchmarks/run.h"
 #include "tests/support/cloud_marches.h"
 
 namespace skybake {
@@ -104,9 +104,5 @@ void register_all() {
 }  // namespace skybake
 
 int main(int argc, char** argv) {
-    skybake::keep_freed_memory();  // as the program does
-    skybake::register_all();
-    benchmark::Initialize(&argc, argv);
-    benchmark::RunSpecifiedBenchmarks();
-    return 0;
+    return skybake::run_benchmarks(argc, argv, skybake::register_all);
 }

@@ -7,16 +7,15 @@
 #include <benchmark/benchmark.h>
 #include <hwy/targets.h>
 
-#include <algorithm>
 #include <cstring>
 #include <string>
 #include <vector>
 
-#include "bakers/math/memory.h"
 #include "bakers/math/parallel.h"
 #include "bakers/noise/noise_field.h"
 #include "bakers/noise/pointwise_kernel.h"
 #include "config/recipe/recipe.h"
+#include "tests/benchmarks/run.h"
 
 namespace skybake::noise {
 namespace {
@@ -197,9 +196,5 @@ void register_all() {
 }  // namespace skybake::noise
 
 int main(int argc, char** argv) {
-    skybake::keep_freed_memory();  // as the program does
-    skybake::noise::register_all();
-    benchmark::Initialize(&argc, argv);
-    benchmark::RunSpecifiedBenchmarks();
-    return 0;
+    return skybake::run_benchmarks(argc, argv, skybake::noise::register_all);
 }

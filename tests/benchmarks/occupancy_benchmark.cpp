@@ -15,11 +15,11 @@
 #include <string>
 #include <vector>
 
-#include "bakers/math/memory.h"
 #include "bakers/occupancy/cell_range.h"
 #include "bakers/occupancy/leap_distance.h"
 #include "bakers/occupancy/occupied_cells.h"
 #include "config/assets/occupancy_filter.h"
+#include "tests/benchmarks/run.h"
 
 namespace skybake::occupancy {
 namespace {
@@ -151,9 +151,5 @@ void register_all() {
 }  // namespace skybake::occupancy
 
 int main(int argc, char** argv) {
-    skybake::keep_freed_memory();  // as the program does
-    skybake::occupancy::register_all();
-    benchmark::Initialize(&argc, argv);
-    benchmark::RunSpecifiedBenchmarks();
-    return 0;
+    return skybake::run_benchmarks(argc, argv, skybake::occupancy::register_all);
 }

@@ -21,7 +21,7 @@
 #include "bakers/field/baked.h"
 #include "bakers/field/voxel_array.h"
 #include "bakers/io/formats/vdb/vdb_file.h"
-#include "bakers/math/memory.h"
+#include "tests/benchmarks/run.h"
 #include "tests/support/volumes.h"
 
 namespace skybake {
@@ -152,9 +152,5 @@ void register_all() {
 }  // namespace skybake
 
 int main(int argc, char** argv) {
-    skybake::keep_freed_memory();  // as the program does
-    skybake::register_all();
-    benchmark::Initialize(&argc, argv);
-    benchmark::RunSpecifiedBenchmarks();
-    return 0;
+    return skybake::run_benchmarks(argc, argv, skybake::register_all);
 }

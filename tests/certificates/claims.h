@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <string>
-#include <utility>
 
 #include "bakers/field/baked.h"
 #include "bakers/math/bake_options.h"

@@ -12,7 +12,7 @@ namespace {
 using namespace skybake::cli::testing;
 namespace fs = std::filesystem;
 
-class BakeCommand : public ::testing::Test {
+class BakeCommand : public RecipeTest {
   protected:
     BakeCommand() {
         write(
@@ -21,19 +21,11 @@ class BakeCommand : public ::testing::Test {
             "size = [8, 8]\nmax_texel_error = \"20 %\"\n");
     }
     void write(const std::string& text) { write_bytes(recipe_, text); }
-    std::vector<std::string> words(std::vector<std::string> more = {}) const {
-        std::vector<std::string> all = {"bake", recipe_, "-o", out_};
-        all.insert(all.end(), more.begin(), more.end());
-        return all;
-    }
     Result bake(std::vector<std::string> more = {}) const {
         return run_program(words(std::move(more)));
     }
     std::vector<std::string> files() const { return folder_.names("out"); }
 
-    TemporaryFolder folder_;
-    std::string recipe_ = (folder_ / "recipe.toml").string();
-    std::string out_ = (folder_ / "out").string();
     const std::vector<std::string> all_ = {"manifest.json", "multiple_scattering.exr",
                                            "transmittance.exr"};
 };

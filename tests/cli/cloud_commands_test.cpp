@@ -14,7 +14,7 @@ namespace {
 using namespace skybake::cli::testing;
 namespace fs = std::filesystem;
 
-class CloudBake : public ::testing::Test {
+class CloudBake : public RecipeTest {
   protected:
     CloudBake() { write(7); }
     void write(int seed, const std::string& keys = "") {
@@ -31,15 +31,6 @@ class CloudBake : public ::testing::Test {
                         "formats = [\"exr\", \"vdb\", \"bin\"]\nmips = \"all\"\n"
                         "[bake.d]\nasset = \"cloud_distance\"\nof = \"c\"\ncell = 2\n");
     }
-    Result bake(const std::vector<std::string>& more = {}) const {
-        std::vector<std::string> words = {"bake", recipe_, "-o", out_};
-        words.insert(words.end(), more.begin(), more.end());
-        return run_words(words);
-    }
-
-    TemporaryFolder folder_;
-    std::string recipe_ = (folder_ / "recipe.toml").string();
-    std::string out_ = (folder_ / "out").string();
 };
 
 TEST_F(CloudBake, VerifiesInAllFormats) {

@@ -45,6 +45,21 @@ inline Result run_words(const std::vector<std::string>& words) {
     return result;
 }
 
+// A recipe in a folder of its own, which is baked beside it.
+class RecipeTest : public ::testing::Test {
+  protected:
+    std::vector<std::string> words(const std::vector<std::string>& more = {}) const {
+        std::vector<std::string> all = {"bake", recipe_, "-o", out_};
+        all.insert(all.end(), more.begin(), more.end());
+        return all;
+    }
+    Result bake(const std::vector<std::string>& more = {}) const { return run_words(words(more)); }
+
+    TemporaryFolder folder_;
+    std::string recipe_ = (folder_ / "recipe.toml").string();
+    std::string out_ = (folder_ / "out").string();
+};
+
 // The real program. `prepare` runs in the child before it starts. Exit code -1: killed by a signal.
 inline Result run_program(
     std::vector<std::string> words, const std::function<void()>& prepare = [] {}) {

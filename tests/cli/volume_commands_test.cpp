@@ -13,7 +13,7 @@ using nlohmann::json;
 namespace fs = std::filesystem;
 using Names = std::vector<std::string>;
 
-class VolumeBake : public ::testing::Test {
+class VolumeBake : public RecipeTest {
   protected:
     VolumeBake() { write("formats = [\"exr\", \"bin\"]\nmips = 2\nlayout = \"atlas\"\n"); }
     void write(const std::string& keys, const std::string& size = "[24, 20, 12]") {
@@ -25,18 +25,9 @@ class VolumeBake : public ::testing::Test {
                     "[bake.wisps]\nasset = \"noise_volume\"\nnoise = \"wisps\"\nsize = " +
                         size + "\n" + keys);
     }
-    std::vector<std::string> words(std::vector<std::string> more = {}) const {
-        std::vector<std::string> all = {"bake", recipe_, "-o", out_};
-        all.insert(all.end(), more.begin(), more.end());
-        return all;
-    }
-    Result bake(std::vector<std::string> more = {}) const { return run_words(words(more)); }
     Names files() const { return folder_.names("out"); }
     std::string file(const std::string& name) const { return out_ + "/" + name; }
 
-    TemporaryFolder folder_;
-    std::string recipe_ = (folder_ / "recipe.toml").string();
-    std::string out_ = (folder_ / "out").string();
     const Names all_ = {"manifest.json", "wisps.bin", "wisps.exr", "wisps.mip1.bin",
                         "wisps.mip1.exr"};
 };

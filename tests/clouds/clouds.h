@@ -3,7 +3,6 @@
 
 #include <rapidcheck.h>
 
-#include <algorithm>
 #include <optional>
 
 #include "bakers/clouds/cloud_field.h"

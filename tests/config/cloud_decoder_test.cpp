@@ -12,9 +12,6 @@ namespace {
 using testing::cloud_of;
 using testing::cloud_recipe;
 
-using Pair = std::array<double, 2>;
-using Triple = std::array<int, 3>;
-
 TEST(CloudDecoder, ReadsEveryKey) {
     const Cloud cloud = cloud_of(
         "noise_scale = [4, 5, 1]\ndetail = 'd'\ndetail_scale = 16\nerosion = [0, 0.95]\n"

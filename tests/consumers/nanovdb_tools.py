@@ -3,8 +3,6 @@ says."""
 
 import consumer
 
-TYPES = {"half": "float", "float": "float", "fp8": "Float8", "fp16": "Float16"}
-
 
 def main():
     validate = consumer.program("nanovdb_validate", "libnanovdb-tools")
@@ -21,10 +19,10 @@ def main():
             rows = [line.split() for line in text.splitlines()]
             for name in file["grids"]:
                 row = next((row for row in rows if f'"{name}"' in row or name in row), [])
-                failures.expect(TYPES[file["pixel_type"]] in row, True, f"{file['path']}: {row}")
+                failures.expect("float" in row, True, f"{file['path']}: {row}")
                 failures.expect("32.4.2" in row, True, f"{file['path']}: the version of {row}")
             types.add(file["pixel_type"])
-    failures.expect(types, {"float", "half", "fp8", "fp16"}, "the set of types that were read")
+    failures.expect(types, {"float", "half"}, "the set of types that were read")
     failures.exit()
 
 

@@ -19,7 +19,6 @@
 #include <set>
 #include <sstream>
 #include <string>
-#include <variant>
 
 #include "bakers/assets/registry/registry.h"
 #include "bakers/io/manifest/asset_files.h"

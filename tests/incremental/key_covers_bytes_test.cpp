@@ -278,11 +278,15 @@ TEST(KeyCoversBytes, WhateverChangesOfColors) {
                        {"format", "profile", "asset", "gas", "column", "phase", "observer"});
 }
 
+// A key is tried with a whole recipe, so that three small ones take less than one large one.
 TEST(KeyCoversBytes, WhateverElseChanges) {
+    change_every_value("layers", {"format", "profile", "asset", "sizes"});
+    change_every_value("maps", {"flip", "format", "profile", "pack", "asset", "cloud", "noise",
+                                "type", "shape", "file"});
     change_every_value(
-        "others", {"flip", "format", "profile", "pack", "asset", "cloud", "noise", "file", "type",
-                   "sizes", "shape", "of", "frames", "bake.wave_0001.frame", "bake.wave_0002.frame",
-                   "bake.book.mips", "clouds.grown.channels"});
+        "moving", {"flip", "format", "profile", "pack", "asset", "cloud", "noise", "type", "shape",
+                   "of", "frames", "bake.wave_0001.frame", "bake.wave_0002.frame", "bake.book.mips",
+                   "clouds.grown.channels"});
 }
 
 // A cloud of a volume has one channel.
@@ -295,7 +299,8 @@ TEST(KeyCoversBytes, WhateverChangesOfVolumes) {
 // ways to say the rest.
 TEST(KeyCoversBytes, TriesEveryKey) {
     std::vector<ResolvedValue> values;
-    for (const char* name : {"sky", "clouds", "particles", "colors", "volumes", "others"}) {
+    for (const char* name :
+         {"sky", "clouds", "particles", "colors", "volumes", "layers", "maps", "moving"}) {
         const Recipe recipe = recipe_of(recipe_text(std::string("keys/") + name), kMaps);
         values.insert(values.end(), recipe.values.begin(), recipe.values.end());
     }

@@ -1,5 +1,4 @@
 // The files that targets have besides those of assets are outputs like all others.
-#include <algorithm>
 #include <regex>
 
 #include "bakers/io/files/output_folder.h"
@@ -13,7 +12,6 @@ namespace skybake {
 namespace {
 
 using namespace skybake::testing;
-using Names = std::vector<std::string>;
 using States = std::vector<AssetState>;
 constexpr AssetState up_to_date = AssetState::up_to_date;
 constexpr AssetState baked = AssetState::baked;

@@ -11,9 +11,6 @@ namespace {
 using testing::plain_volume;
 using testing::sample_voxel;
 
-constexpr PixelType kTypes[] = {PixelType::float32, PixelType::half, PixelType::unorm8,
-                                PixelType::unorm16};
-
 std::string written(const TemporaryFolder& folder, const Baked& volume, int threads) {
     return testing::written(folder, config::FileFormat::bin, volume, threads);
 }

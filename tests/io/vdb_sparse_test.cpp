@@ -5,7 +5,6 @@
 #include <openvdb/openvdb.h>
 #include <rapidcheck/gtest.h>
 
-#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <sstream>

@@ -16,7 +16,6 @@
 #include <random>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "bakers/air/ray.h"

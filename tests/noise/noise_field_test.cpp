@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "bakers/math/quadrature.h"
 #include "bakers/noise/cell_kernel.h"
 #include "bakers/noise/gradient_kernel.h"

@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <boost/random/sobol.hpp>
 #include <set>
 #include <vector>

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Killed at 200 random moments of a bake, half of them while it writes: nothing but whole files under
-# their names, and the next run completes and leaves what a clean one leaves.
+# Killed at random moments of a bake, 50 of them or as many as SKYBAKE_KILLS says, half of them while it
+# writes: nothing but whole files under their names, and the next run completes and leaves what a clean
+# one leaves.
 source "$(dirname "$0")/common.sh"
 
 has_temporaries() { compgen -G 'out/.*.tmp' >/dev/null; }
@@ -22,8 +23,8 @@ kill_while_writing() {
     wait "$job"
 } 2>/dev/null
 
-kills=0 while_writing=0 completed=0 set=a
-while ((kills < 200 || while_writing < 20)); do
+kills=0 while_writing=0 completed=0 set=a most=${SKYBAKE_KILLS:-50}
+while ((kills < most || while_writing < most / 10)); do
     # Now and then into a new folder; mostly over what earlier runs have left.
     ((RANDOM % 8)) || rm -rf out
     options "$set"

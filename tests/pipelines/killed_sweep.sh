@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Killed at 60 random moments of a sweep, half of them while it writes: the next run completes and
-# leaves what a clean one leaves, the index included.
+# Killed at random moments of a sweep, 20 of them or as many as SKYBAKE_KILLS says, half of them while it
+# writes: the next run completes and leaves what a clean one leaves, the index included.
 source "$(dirname "$0")/common.sh"
 
 vary=(--vary noise.wisps.channels.Y.frequency=2,3 --vary clouds.puff.coverage=0.6,0.9)
@@ -44,8 +44,8 @@ for set in a b; do
     clean_sweep[$set]=$(tree "clean_sweep_$set")
 done
 
-kills=0 while_writing=0 set=a
-while ((kills < 60 || while_writing < 6)); do
+kills=0 while_writing=0 set=a most=${SKYBAKE_KILLS:-20}
+while ((kills < most || while_writing < most / 10)); do
     ((RANDOM % 8)) || rm -rf out
     options "$set"
     code=0

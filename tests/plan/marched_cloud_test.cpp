@@ -5,7 +5,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <memory>
-#include <numbers>
 
 #include "bakers/assets/cloud_light/cloud_scattering.h"
 #include "bakers/march/cloud_light.h"

@@ -5,7 +5,6 @@
 #include <ImfInputFile.h>
 #include <ImfOutputFile.h>
 
-#include <algorithm>
 #include <bit>
 #include <cstring>
 #include <exception>

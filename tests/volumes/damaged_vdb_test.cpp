@@ -1,12 +1,13 @@
 // Damaged VDB and NanoVDB files are errors, or volumes with other numbers: nothing crashes, hangs
 // or takes memory that the file does not fill.
 #include <gtest/gtest.h>
+#include <nanovdb/util/IO.h>
+#include <nanovdb/util/OpenToNanoVDB.h>
 #include <sys/resource.h>
 
 #include <ctime>
 
 #include "bakers/clouds/resampled_volume.h"
-#include "bakers/field/block_voxels.h"
 #include "bakers/io/formats/format.h"
 #include "bakers/io/formats/vdb/vdb_file.h"
 #include "bakers/io/volumes/volume_reader.h"
@@ -27,15 +28,22 @@ struct Original {
     std::string bytes;
 };
 
-// Dense and sparse files of our own, of all types of leaves.
+// The library's file of leaves of codes.
+template <class Build>
+Original coded_original(const TemporaryFolder& folder) {
+    nanovdb::OpenToNanoVDB<float, Build> convert;
+    nanovdb::io::writeGrid((folder / "coded.nvdb").string(), convert(*any_grid()));
+    return {config::VolumeFormat::nvdb, testing::read_bytes(folder / "coded.nvdb")};
+}
+
+// Dense and sparse files of our own, and those of all types of leaves.
 std::vector<Original> nvdb_originals(const TemporaryFolder& folder) {
-    std::vector<Original> all;
-    for (const auto type :
-         {config::PixelType::float32, config::PixelType::fp8, config::PixelType::fp16}) {
-        Baked volume = testing::plain_volume({20, 17, 9}, 1, type);
+    std::vector<Original> all = {coded_original<nanovdb::Fp8>(folder),
+                                 coded_original<nanovdb::Fp16>(folder)};
+    for (const bool is_sparse : {false, true}) {
+        Baked volume = testing::plain_volume({20, 17, 9}, 1, config::PixelType::float32);
         volume.voxel_size_m = {1, 2, 3};
-        volume.sparse = type == config::PixelType::fp8;
-        code_levels(volume);
+        volume.sparse = is_sparse;
         testing::write_bytes(folder / "own.nvdb", "");
         EXPECT_TRUE(format_of(config::FileFormat::nvdb)
                         .write({volume, 0, "{}", 1, nullptr}, folder / "own.nvdb")
@@ -95,12 +103,8 @@ void read_as_own(const Original& original, const std::filesystem::path& path) {
     const bool is_vdb = original.format == config::VolumeFormat::vdb;
     const Format& format = format_of(is_vdb ? config::FileFormat::vdb : config::FileFormat::nvdb);
     static_cast<void>(format.inspect(path));
-    for (const auto type :
-         {config::PixelType::float32, config::PixelType::fp8, config::PixelType::fp16}) {
-        static_cast<void>(
-            format.read(path, {{20, 17, 9}, 1, type, {}, 1}, 0,
-                        [](std::int64_t, std::int64_t, const float*) { return true; }));
-    }
+    static_cast<void>(format.read(path, {{20, 17, 9}, 1, config::PixelType::float32, {}, 1}, 0,
+                                  [](std::int64_t, std::int64_t, const float*) { return true; }));
 }
 
 Tally read_damaged(const TemporaryFolder& folder, const std::vector<Original>& files,

@@ -1,5 +1,5 @@
 // Occupancy and distances of a sparse VDB of 1024^3 voxels, in one run of the program within 1 GiB.
-// Alone in its process, which counts the memory of its children.
+// It runs alone in its process, which counts the memory of its children.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/wait.h>

@@ -6,7 +6,6 @@
 
 #include <limits>
 
-#include "bakers/field/block_voxels.h"
 #include "bakers/io/formats/format.h"
 #include "bakers/io/formats/nvdb/nvdb_source.h"
 #include "bakers/io/volumes/volume_reader.h"
@@ -25,7 +24,7 @@ Handle converted(const FloatGrid& grid) {
     return convert(grid, nanovdb::StatsMode::All, nanovdb::ChecksumMode::Full, 0);
 }
 
-FileVoxels opened(const std::filesystem::path& path, const std::string& grid = "density") {
+FileVoxels opened_nvdb(const std::filesystem::path& path, const std::string& grid = "density") {
     return test::without_diagnostics(open_nvdb_grid(path, grid, VolumePart::voxels));
 }
 
@@ -52,7 +51,7 @@ void expect_grid(const FloatGrid& grid, float background) {
     const TemporaryFolder folder;
     const Handle handle = converted<Build>(grid);
     nanovdb::io::writeGrid((folder / "v.nvdb").string(), handle);
-    const FileVoxels file = opened(folder / "v.nvdb");
+    const FileVoxels file = opened_nvdb(folder / "v.nvdb");
     EXPECT_EQ(file.background, background);
     const openvdb::CoordBBox active = grid.evalActiveVoxelBoundingBox();
     for (int i = 0; i < 3; ++i) {
@@ -65,7 +64,8 @@ void expect_grid(const FloatGrid& grid, float background) {
     expect_accessors_voxels<Build>(handle, file, {{-3, 2, 5}, {4, 1, 11}});
 }
 
-std::string problem_of(const std::filesystem::path& path, const std::string& grid = "density") {
+std::string problem_of_nvdb(const std::filesystem::path& path,
+                            const std::string& grid = "density") {
     const auto voxels = open_nvdb_grid(path, grid, VolumePart::voxels);
     EXPECT_TRUE(voxels.value || voxels.diagnostics.at(0).code == "E0304");
     return testing::reason_of(voxels);
@@ -84,7 +84,7 @@ TEST(NvdbGrid, HasTilesOfEverySize) {
     const TemporaryFolder folder;
     const Handle handle = converted<float>(*testing::tiles_of_every_size());
     nanovdb::io::writeGrid((folder / "v.nvdb").string(), handle);
-    const FileVoxels file = opened(folder / "v.nvdb");
+    const FileVoxels file = opened_nvdb(folder / "v.nvdb");
     EXPECT_EQ(file.size, (std::array<int, 3>{4096 + 256, 4096, 4096}));
     EXPECT_EQ(file.largest, 0.75F);
     for (const int x : {-4097, -4096, -1, 0, 7, 8, 127, 128, 255, 256}) {
@@ -100,7 +100,7 @@ TEST(NvdbGrid, TakesTheTransform) {
     const TemporaryFolder folder;
     nanovdb::io::writeGrid((folder / "v.nvdb").string(),
                            converted<float>(*testing::scaled_and_moved_grid()));
-    const FileVoxels file = opened(folder / "v.nvdb");
+    const FileVoxels file = opened_nvdb(folder / "v.nvdb");
     EXPECT_EQ(file.voxel_size, (std::array<double, 3>{2, 3, 4}));
     EXPECT_EQ(file.index_origin, (std::array<double, 3>{9, 18.5, 28}));
 }
@@ -116,7 +116,7 @@ TEST(NvdbGrid, IsDamagedIfItsChecksumSaysSo) {
         nanovdb::io::writeGrid(path.string(),
                                convert(*any_grid(), nanovdb::StatsMode::All, mode, 0));
         const std::string whole = testing::read_bytes(path);
-        EXPECT_EQ(problem_of(path), "");
+        EXPECT_EQ(problem_of_nvdb(path), "");
         const std::size_t grid_at = whole.find("NanoVDB0", 8);
         ASSERT_NE(grid_at, std::string::npos);
         int noticed = 0;
@@ -126,7 +126,7 @@ TEST(NvdbGrid, IsDamagedIfItsChecksumSaysSo) {
             std::string damaged = whole;
             damaged[at] = static_cast<char>(damaged[at] ^ 4);
             testing::write_bytes(path, damaged);
-            noticed += problem_of(path).empty() ? 0 : 1;
+            noticed += problem_of_nvdb(path).empty() ? 0 : 1;
         }
         ASSERT_GT(tried, 30);
         if (mode == nanovdb::ChecksumMode::Full) {
@@ -147,7 +147,7 @@ TEST(NvdbGrid, MakesFogOfALevelSetAsVdbDoes) {
     testing::write_grid(ball, folder / "v.vdb");
     nanovdb::io::writeGrid((folder / "v.nvdb").string(), converted<float>(*ball));
     const FileVoxels wanted = testing::opened(folder / "v.vdb");
-    const FileVoxels file = opened(folder / "v.nvdb");
+    const FileVoxels file = opened_nvdb(folder / "v.nvdb");
     EXPECT_EQ(file.largest, 1);
     EXPECT_EQ(file.size, wanted.size);
     const VoxelBox box{{-45, -45, -50}, {90, 95, 93}};
@@ -169,9 +169,9 @@ TEST(NvdbGrid, IsFoundByItsName) {
     testing::write_bytes(folder / "two.nvdb", testing::read_bytes(folder / "a.nvdb") +
                                                   testing::read_bytes(folder / "b.nvdb"));
     for (const char* name : {"one.nvdb", "two.nvdb"}) {
-        EXPECT_EQ(opened(folder / name, "heat").background, 0);
-        EXPECT_EQ(opened(folder / name, "density").background, 0.5F);
-        EXPECT_EQ(problem_of(folder / name, "Density"),
+        EXPECT_EQ(opened_nvdb(folder / name, "heat").background, 0);
+        EXPECT_EQ(opened_nvdb(folder / name, "density").background, 0.5F);
+        EXPECT_EQ(problem_of_nvdb(folder / name, "Density"),
                   "it has no grid `Density`; write grid = \"heat\" or grid = \"density\"");
     }
 }
@@ -179,11 +179,9 @@ TEST(NvdbGrid, IsFoundByItsName) {
 // The files of a bake can be read as volumes.
 TEST(NvdbGrid, IsWhatABakeWrites) {
     const TemporaryFolder folder;
-    for (const auto type :
-         {config::PixelType::float32, config::PixelType::half, config::PixelType::fp8}) {
+    for (const auto type : {config::PixelType::float32, config::PixelType::half}) {
         Baked volume = testing::plain_volume({21, 17, 30}, 1, type);
         volume.voxel_size_m = {10, 20, 5};
-        code_levels(volume);
         testing::write_bytes(folder / "v.nvdb", "");
         ASSERT_TRUE(format_of(config::FileFormat::nvdb)
                         .write({volume, 0, "{}", 1, nullptr}, folder / "v.nvdb")
@@ -209,24 +207,25 @@ TEST(NvdbGridRefused, InWordsThatSayWhatItIs) {
     vectors->setName("density");
     vectors->tree().setValue(Coord(1, 2, 3), openvdb::Vec3f(1));
     nanovdb::io::writeGrid((folder / "v.nvdb").string(), nanovdb::openToNanoVDB(*vectors));
-    EXPECT_TRUE(problem_of(folder / "v.nvdb")
+    EXPECT_TRUE(problem_of_nvdb(folder / "v.nvdb")
                     .starts_with("its grid `density` holds vec3f; `nanovdb_convert"));
     const FloatGrid::Ptr empty = FloatGrid::create(0);
     empty->setName("density");
     nanovdb::io::writeGrid((folder / "v.nvdb").string(), converted<float>(*empty));
-    EXPECT_EQ(problem_of(folder / "v.nvdb"), "it has no active voxels");
+    EXPECT_EQ(problem_of_nvdb(folder / "v.nvdb"), "it has no active voxels");
     testing::write_grid(any_grid(), folder / "v.nvdb");
-    EXPECT_EQ(problem_of(folder / "v.nvdb"), "it begins with neither `NanoVDB0` nor `NanoVDB2`");
+    EXPECT_EQ(problem_of_nvdb(folder / "v.nvdb"),
+              "it begins with neither `NanoVDB0` nor `NanoVDB2`");
     for (const float value :
          {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
         const FloatGrid::Ptr voxel = any_grid();
         voxel->tree().setValue(Coord(3, 4, 5), value);
         nanovdb::io::writeGrid((folder / "v.nvdb").string(), converted<float>(*voxel));
-        EXPECT_TRUE(problem_of(folder / "v.nvdb").starts_with("its voxel (3, 4, 5) is "));
+        EXPECT_TRUE(problem_of_nvdb(folder / "v.nvdb").starts_with("its voxel (3, 4, 5) is "));
         const FloatGrid::Ptr tile = any_grid();
         tile->tree().addTile(2, Coord(1024, 0, 0), value, true);
         nanovdb::io::writeGrid((folder / "v.nvdb").string(), converted<float>(*tile));
-        EXPECT_EQ(problem_of(folder / "v.nvdb"), "a tile of it is not finite");
+        EXPECT_EQ(problem_of_nvdb(folder / "v.nvdb"), "a tile of it is not finite");
     }
 }
 
@@ -235,7 +234,7 @@ TEST(NvdbGridRefused, WhereItsTransformIsNoBoxAlongTheAxes) {
     const auto with = [&](auto&& change) {
         nanovdb::io::writeGrid((folder / "v.nvdb").string(),
                                converted<float>(*testing::transformed_grid(change)));
-        return problem_of(folder / "v.nvdb");
+        return problem_of_nvdb(folder / "v.nvdb");
     };
     EXPECT_EQ(with([](auto&) {}), "");
     EXPECT_EQ(with([](auto& t) { t.postRotate(0.1, openvdb::math::Z_AXIS); }),
@@ -254,14 +253,14 @@ TEST(NvdbGrid, MayBeOfLaterReleases) {
     bytes[7] = '2';
     bytes[grid + 7] = '1';
     testing::write_bytes(folder / "v.nvdb", bytes);
-    const FileVoxels file = opened(folder / "v.nvdb");
+    const FileVoxels file = opened_nvdb(folder / "v.nvdb");
     expect_accessors_voxels<float>(handle, file, {file.first, file.size});
     bytes[14] = 2;  // the codec
     testing::write_bytes(folder / "v.nvdb", bytes);
-    EXPECT_TRUE(
-        problem_of(folder / "v.nvdb").starts_with("it is compressed by blosc; `nanovdb_convert"));
+    EXPECT_TRUE(problem_of_nvdb(folder / "v.nvdb")
+                    .starts_with("it is compressed by blosc; `nanovdb_convert"));
     testing::write_bytes(folder / "v.nvdb", bytes.substr(grid));
-    EXPECT_EQ(problem_of(folder / "v.nvdb"), "it is a grid without a file's head");
+    EXPECT_EQ(problem_of_nvdb(folder / "v.nvdb"), "it is a grid without a file's head");
 }
 
 // A file in which a node is listed twice could take memory that the file does not fill.
@@ -273,7 +272,7 @@ TEST(NvdbGridRefused, WhereANodeIsListedTwice) {
     root->tile(1)->key = root->tile(0)->key;
     root->tile(1)->child = root->tile(0)->child;
     nanovdb::io::writeGrid((folder / "v.nvdb").string(), handle);
-    EXPECT_EQ(problem_of(folder / "v.nvdb"), "nodes are listed twice");
+    EXPECT_EQ(problem_of_nvdb(folder / "v.nvdb"), "nodes are listed twice");
 }
 
 TEST(NvdbGridRefused, WhereItsBoundsLeaveOutVoxels) {
@@ -282,7 +281,7 @@ TEST(NvdbGridRefused, WhereItsBoundsLeaveOutVoxels) {
     auto* root = handle.grid<float>()->tree().root().data();
     root->mBBox.max()[0] = 3;
     nanovdb::io::writeGrid((folder / "v.nvdb").string(), handle);
-    EXPECT_EQ(problem_of(folder / "v.nvdb"), "it has active voxels beyond its bounds");
+    EXPECT_EQ(problem_of_nvdb(folder / "v.nvdb"), "it has active voxels beyond its bounds");
 }
 
 TEST(NvdbGridRefused, WhereverItEnds) {
@@ -291,7 +290,7 @@ TEST(NvdbGridRefused, WhereverItEnds) {
     const std::string bytes = testing::read_bytes(folder / "v.nvdb");
     for (std::size_t size = 0; size < bytes.size(); size += 1 + bytes.size() / 40) {
         testing::write_bytes(folder / "v.nvdb", bytes.substr(0, size));
-        EXPECT_NE(problem_of(folder / "v.nvdb"), "") << size << " of " << bytes.size();
+        EXPECT_NE(problem_of_nvdb(folder / "v.nvdb"), "") << size << " of " << bytes.size();
     }
 }
 

@@ -44,7 +44,7 @@ std::size_t tree_of(const std::string& bytes, float background) {
     return place_of(bytes, head);
 }
 
-std::string problem_of(const std::string& bytes, const std::string& grid = "density") {
+std::string problem_of_bytes(const std::string& bytes, const std::string& grid = "density") {
     const TemporaryFolder folder;
     write_bytes(folder / "v.vdb", bytes);
     return testing::reason_of(open_vdb_grid(folder / "v.vdb", grid, VolumePart::voxels));
@@ -67,23 +67,25 @@ constexpr std::uint64_t kHalfGiB = 1U << 29U;
 
 TEST(VdbGuards, TheFileIsWhole) {
     const std::string bytes = bytes_of(any_grid(kBackground));
-    EXPECT_EQ(problem_of(bytes), "");
-    EXPECT_EQ(problem_of(with(bytes, 0, 0)), "it does not begin as a VDB file");
+    EXPECT_EQ(problem_of_bytes(bytes), "");
+    EXPECT_EQ(problem_of_bytes(with(bytes, 0, 0)), "it does not begin as a VDB file");
     for (const std::uint64_t format : {0U, 213U, 9999U}) {
-        EXPECT_EQ(problem_of(with(bytes, kFormat, format)), "its format is not known") << format;
+        EXPECT_EQ(problem_of_bytes(with(bytes, kFormat, format)), "its format is not known")
+            << format;
     }
-    EXPECT_EQ(problem_of(with(bytes, kHasOffsets, 0, 1)), "")
+    EXPECT_EQ(problem_of_bytes(with(bytes, kHasOffsets, 0, 1)), "")
         << "then it is a stream, of the same grid";
 }
 
 TEST(VdbGuards, GridsEndBehindTheirHeads) {
     const std::string bytes = bytes_of(any_grid(kBackground));
     const std::string wrong = "a grid does not end behind its head";
-    EXPECT_EQ(problem_of(with(bytes, kEndOfGrid, bytes.size(), 8)), "") << "it is the last one";
-    EXPECT_EQ(problem_of(with(bytes, kEndOfGrid, bytes.size() + 1, 8)), wrong);
-    EXPECT_EQ(problem_of(with(bytes, kEndOfGrid, 10, 8)), wrong);
-    EXPECT_EQ(problem_of(with(bytes, kEndOfGrid, ~std::uint64_t{0}, 8)), wrong);
-    EXPECT_EQ(problem_of(with(bytes, kEndOfGrid, bytes.size() - 4, 8)),
+    EXPECT_EQ(problem_of_bytes(with(bytes, kEndOfGrid, bytes.size(), 8)), "")
+        << "it is the last one";
+    EXPECT_EQ(problem_of_bytes(with(bytes, kEndOfGrid, bytes.size() + 1, 8)), wrong);
+    EXPECT_EQ(problem_of_bytes(with(bytes, kEndOfGrid, 10, 8)), wrong);
+    EXPECT_EQ(problem_of_bytes(with(bytes, kEndOfGrid, ~std::uint64_t{0}, 8)), wrong);
+    EXPECT_EQ(problem_of_bytes(with(bytes, kEndOfGrid, bytes.size() - 4, 8)),
               "its voxels do not end where they should");
 }
 
@@ -91,7 +93,7 @@ TEST(VdbGuards, MetadataHasTheSizeOfItsType) {
     const std::string bytes = bytes_of(any_grid(kBackground));
     const std::string type = "file_mem_bytes";
     const std::size_t size = place_of(bytes, type) + type.size() + 4 + std::strlen("int64");
-    EXPECT_EQ(problem_of(with(bytes, size, 4)),
+    EXPECT_EQ(problem_of_bytes(with(bytes, size, 4)),
               "a value of its metadata has another size than its type");
 }
 
@@ -99,11 +101,11 @@ TEST(VdbGuards, NodesAreInTheirPlaces) {
     const std::string bytes = bytes_of(any_grid(kBackground));
     const std::size_t tree = tree_of(bytes, kBackground);
     const std::size_t corner = tree + 16;
-    EXPECT_EQ(problem_of(with(bytes, tree, 2)), "its leaves have several buffers");
+    EXPECT_EQ(problem_of_bytes(with(bytes, tree, 2)), "its leaves have several buffers");
     for (std::size_t axis = 0; axis < 3; ++axis) {
         for (const std::uint64_t place : {std::uint64_t{8}, std::uint64_t{1} << 30U,
                                           (std::uint64_t{1} << 32U) - (std::uint64_t{1} << 30U)}) {
-            EXPECT_EQ(problem_of(with(bytes, corner + 4 * axis, place)),
+            EXPECT_EQ(problem_of_bytes(with(bytes, corner + 4 * axis, place)),
                       "a node is not in its place")
                 << axis << " " << place;
         }
@@ -116,10 +118,10 @@ TEST(VdbGuards, NoTwoNodesAreInOnePlace) {
     grid->tree().addTile(3, Coord(0, 0, 0), 0.5F, true);
     grid->tree().addTile(3, Coord(4096, 0, 0), 0.25F, true);
     std::string bytes = bytes_of(grid);
-    EXPECT_EQ(problem_of(bytes), "");
+    EXPECT_EQ(problem_of_bytes(bytes), "");
     const std::size_t first = tree_of(bytes, kBackground) + 16;
     bytes.replace(first + 17, 12, bytes.substr(first, 12));  // a corner, a value and a flag each
-    EXPECT_EQ(problem_of(bytes), "two nodes are in the same place");
+    EXPECT_EQ(problem_of_bytes(bytes), "two nodes are in the same place");
 }
 
 // A node of 512 active tiles, whose values come after two masks and the byte that says which there are.
@@ -148,16 +150,16 @@ std::int64_t number_at(const std::string& bytes, std::size_t at, std::size_t cou
 TEST(VdbGuards, LengthsOfValuesFit) {
     for (const std::uint32_t compression : {io::COMPRESS_ZIP, io::COMPRESS_BLOSC}) {
         const TileNode node = tile_node(compression);
-        EXPECT_EQ(problem_of(node.bytes), "");
+        EXPECT_EQ(problem_of_bytes(node.bytes), "");
         const std::int64_t length = number_at(node.bytes, node.length, 8);
         ASSERT_GT(length, 16);
         ASSERT_LT(length, 2048);
         for (const std::int64_t wrong :
              {std::int64_t{0}, std::int64_t{-1}, std::int64_t{-2047}, std::int64_t{4096},
               std::int64_t{1} << 40U, std::numeric_limits<std::int64_t>::min() + 1}) {
-            EXPECT_EQ(
-                problem_of(with(node.bytes, node.length, static_cast<std::uint64_t>(wrong), 8)),
-                "the length of its values is damaged")
+            EXPECT_EQ(problem_of_bytes(
+                          with(node.bytes, node.length, static_cast<std::uint64_t>(wrong), 8)),
+                      "the length of its values is damaged")
                 << wrong;
         }
     }
@@ -170,26 +172,27 @@ TEST(VdbGuards, BloscsOwnLengthsFit) {
     EXPECT_EQ(number_at(node.bytes, head + 4, 4), 2048);
     EXPECT_EQ(number_at(node.bytes, head + 12, 4), number_at(node.bytes, node.length, 8));
     const std::string wrong = "its values are damaged";
-    EXPECT_EQ(problem_of(with(node.bytes, head + 4, 2044)), wrong);
-    EXPECT_EQ(problem_of(with(node.bytes, head + 4, 1 << 24)), wrong);
-    EXPECT_EQ(problem_of(with(node.bytes, head + 12, 20)), wrong);
-    EXPECT_EQ(problem_of(with(node.bytes, head + 12, 1 << 24)), wrong);
-    EXPECT_EQ(problem_of(with(node.bytes, node.length, 8, 8)), wrong) << "shorter than the head";
+    EXPECT_EQ(problem_of_bytes(with(node.bytes, head + 4, 2044)), wrong);
+    EXPECT_EQ(problem_of_bytes(with(node.bytes, head + 4, 1 << 24)), wrong);
+    EXPECT_EQ(problem_of_bytes(with(node.bytes, head + 12, 20)), wrong);
+    EXPECT_EQ(problem_of_bytes(with(node.bytes, head + 12, 1 << 24)), wrong);
+    EXPECT_EQ(problem_of_bytes(with(node.bytes, node.length, 8, 8)), wrong)
+        << "shorter than the head";
     const std::string tiny = with(node.bytes, node.length, 8, 8);
-    EXPECT_EQ(problem_of(with(tiny, head + 12, 8)), wrong) << "and so does the head say";
+    EXPECT_EQ(problem_of_bytes(with(tiny, head + 12, 8)), wrong) << "and so does the head say";
 }
 
 // Lengths of half a gigabyte in a file of some kilobytes: of the first text of the metadata and of the
 // names of the grid.
 TEST(VdbGuards, LengthsOfTextsTakeNoMemory) {
     const std::string bytes = bytes_of(any_grid(kBackground));
-    ASSERT_EQ(problem_of(bytes), "");
+    ASSERT_EQ(problem_of_bytes(bytes), "");
     const long before = testing::peak_kib();
     const std::string text = with(with(bytes, kMetadataCount, 1), kMetadataCount + 4, kHalfGiB);
-    EXPECT_EQ(problem_of(text), "it ends early");
-    EXPECT_EQ(problem_of(with(bytes, kGridName, kHalfGiB)), "it ends early");
-    EXPECT_EQ(problem_of(with(bytes, kGridName + 11, kHalfGiB)), "it ends early");
-    EXPECT_EQ(problem_of(with(bytes, kGridName + 31, kHalfGiB)), "it ends early");
+    EXPECT_EQ(problem_of_bytes(text), "it ends early");
+    EXPECT_EQ(problem_of_bytes(with(bytes, kGridName, kHalfGiB)), "it ends early");
+    EXPECT_EQ(problem_of_bytes(with(bytes, kGridName + 11, kHalfGiB)), "it ends early");
+    EXPECT_EQ(problem_of_bytes(with(bytes, kGridName + 31, kHalfGiB)), "it ends early");
     EXPECT_LT(testing::peak_kib() - before, 100 << 10);
 }
 
@@ -201,14 +204,15 @@ TEST(VdbGuards, SharedTreesAreRefused) {
     io::File((folder / "v.vdb").string()).write(openvdb::GridCPtrVec{grid, other});
     const std::string bytes = read_bytes(folder / "v.vdb");
     const std::string shared = "grids share a tree";
-    EXPECT_EQ((problem_of(bytes) == shared) + (problem_of(bytes, "other") == shared), 1);
+    EXPECT_EQ((problem_of_bytes(bytes) == shared) + (problem_of_bytes(bytes, "other") == shared),
+              1);
 }
 
 TEST(VdbGuards, TransformsAreBoxes) {
     const FloatGrid::Ptr grid = any_grid(kBackground);
     grid->setTransform(openvdb::math::Transform::createFrustumTransform(
         openvdb::BBoxd(openvdb::Vec3d(0), openvdb::Vec3d(8)), 0.5, 10));
-    EXPECT_EQ(problem_of(bytes_of(grid)), "the transform of a grid is a frustum");
+    EXPECT_EQ(problem_of_bytes(bytes_of(grid)), "the transform of a grid is a frustum");
 }
 
 // The library itself refuses some of these: it cannot invert the transform.
@@ -220,14 +224,14 @@ TEST(VdbGuards, TransformsAreFinite) {
     moved->postTranslate(openvdb::Vec3d(0, kMoved, 0));
     grid->setTransform(moved);
     const std::string bytes = bytes_of(grid);
-    ASSERT_EQ(problem_of(bytes), "");
+    ASSERT_EQ(problem_of_bytes(bytes), "");
     for (const double number : {kEdge, kMoved}) {
         const std::string text(reinterpret_cast<const char*>(&number), sizeof number);
         const std::size_t at = bytes.find(text);
         ASSERT_NE(at, std::string::npos);
         for (const double wrong :
              {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
-            EXPECT_NE(problem_of(with(bytes, at, std::bit_cast<std::uint64_t>(wrong), 8)), "")
+            EXPECT_NE(problem_of_bytes(with(bytes, at, std::bit_cast<std::uint64_t>(wrong), 8)), "")
                 << number << " " << wrong;
         }
     }
@@ -237,7 +241,7 @@ TEST(VdbGuards, StatedSizesAreSizes) {
     const auto with_size = [](const openvdb::Vec3i& size) {
         const FloatGrid::Ptr grid = any_grid(kBackground);
         grid->insertMeta("skybake/size", openvdb::Vec3IMetadata(size));
-        return problem_of(bytes_of(grid));
+        return problem_of_bytes(bytes_of(grid));
     };
     EXPECT_EQ(with_size({5, 16384, 1}), "");
     EXPECT_EQ(with_size({5, 4, 0}), "its size is damaged");

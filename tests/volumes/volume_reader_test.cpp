@@ -21,12 +21,12 @@ using config::VolumeFile;
 using config::VolumeFormat;
 using config::VolumeUp;
 
-using Size = std::array<int, 3>;
+using Place = std::array<int, 3>;
 
 // Returns the number in voxel (x, y, z) of a file: its index in decimal digits, over 255 in bytes.
-int number_at(const Size& at) { return at[0] + 10 * at[1] + 100 * at[2]; }
+int number_of_voxel(const Place& at) { return at[0] + 10 * at[1] + 100 * at[2]; }
 
-std::string bytes_of(int number, PixelType type, ByteOrder order) {
+std::string bytes_of_number(int number, PixelType type, ByteOrder order) {
     std::uint32_t bits = static_cast<std::uint32_t>(number);
     std::size_t count = type == PixelType::unorm8 ? 1 : 2;
     if (type == PixelType::float32) {
@@ -52,7 +52,7 @@ const std::array<Order, 6> orders = {{{AxisOrder::xyz, {0, 1, 2}},
                                       {AxisOrder::zxy, {2, 0, 1}},
                                       {AxisOrder::zyx, {2, 1, 0}}}};
 
-constexpr Size raw_size = {4, 3, 2};
+constexpr Place raw_size = {4, 3, 2};
 
 VolumeFile raw_volume(const std::filesystem::path& path) {
     VolumeFile volume;
@@ -67,28 +67,28 @@ VolumeFile raw_volume(const std::filesystem::path& path) {
 
 void write_raw(const VolumeFile& volume, const std::array<std::size_t, 3>& axes) {
     std::string bytes(static_cast<std::size_t>(volume.offset), '?');
-    Size at{};
+    Place at{};
     for (at[axes[2]] = 0; at[axes[2]] < raw_size[axes[2]]; ++at[axes[2]]) {
         for (at[axes[1]] = 0; at[axes[1]] < raw_size[axes[1]]; ++at[axes[1]]) {
             for (at[axes[0]] = 0; at[axes[0]] < raw_size[axes[0]]; ++at[axes[0]]) {
-                bytes += bytes_of(number_at(at), volume.type, volume.byte_order);
+                bytes += bytes_of_number(number_of_voxel(at), volume.type, volume.byte_order);
             }
         }
     }
     testing::write_bytes(volume.path, bytes);
 }
 
-SourceVoxels opened(const VolumeFile& volume) {
+SourceVoxels opened_volume(const VolumeFile& volume) {
     return test::without_diagnostics(open_volume(volume));
 }
 
-float voxel_of(const SourceVoxels& source, const Size& at) {
+float voxel_of(const SourceVoxels& source, const Place& at) {
     float value = -1;
     source.voxels->fill({at, {1, 1, 1}}, {&value});
     return value;
 }
 
-// Expects that voxel `at` of the cloud holds number_at(file_at(at)), one by one and as one box.
+// Expects that voxel `at` of the cloud holds number_of_voxel(file_at(at)), one by one and as one box.
 template <class FileAt>
 void expect_voxels(const SourceVoxels& source, const FileAt& file_at, float unit = 1) {
     const std::vector<float> all = testing::planes_of(*source.voxels, {{}, source.size}, 1)[0];
@@ -96,7 +96,8 @@ void expect_voxels(const SourceVoxels& source, const FileAt& file_at, float unit
     for (int z = 0; z < source.size[2]; ++z) {
         for (int y = 0; y < source.size[1]; ++y) {
             for (int x = 0; x < source.size[0]; ++x, ++i) {
-                const float wanted = static_cast<float>(number_at(file_at(Size{x, y, z}))) / unit;
+                const float wanted =
+                    static_cast<float>(number_of_voxel(file_at(Place{x, y, z}))) / unit;
                 EXPECT_EQ(voxel_of(source, {x, y, z}), wanted) << x << " " << y << " " << z;
                 EXPECT_EQ(all[i], wanted);
             }
@@ -104,7 +105,7 @@ void expect_voxels(const SourceVoxels& source, const FileAt& file_at, float unit
     }
 }
 
-const auto as_it_is = [](const Size& at) { return at; };
+const auto as_it_is = [](const Place& at) { return at; };
 
 std::string first_message(const VolumeFile& volume) {
     const auto source = open_volume(volume);
@@ -135,7 +136,7 @@ TEST(RawVolume, IsReadInEveryLayout) {
                     const float unit = type == PixelType::unorm8
                                            ? 255.0F
                                            : (type == PixelType::unorm16 ? 65535.0F : 1.0F);
-                    expect_voxels(opened(volume), as_it_is, unit);
+                    expect_voxels(opened_volume(volume), as_it_is, unit);
                 }
             }
         }
@@ -146,7 +147,7 @@ TEST(RawVolume, HasTheSizeOfItsVoxels) {
     const TemporaryFolder folder;
     VolumeFile volume = raw_volume(folder / "v.raw");
     write_raw(volume, orders[0].axes);
-    const SourceVoxels source = opened(volume);
+    const SourceVoxels source = opened_volume(volume);
     EXPECT_EQ(source.size, raw_size);
     EXPECT_EQ(source.voxel_size_m, (std::array<double, 3>{1, 2, 3}));
     EXPECT_EQ(source.largest, 123.0F);
@@ -158,8 +159,8 @@ TEST(RawVolume, IsEmptyBeyondItsSize) {
     VolumeFile volume = raw_volume(folder / "v.raw");
     write_raw(volume, orders[5].axes);
     volume.axis_order = orders[5].order;
-    const SourceVoxels source = opened(volume);
-    for (const Size& at : {Size{-1, 0, 0}, Size{4, 0, 0}, Size{0, 3, 0}, Size{0, 0, -1}}) {
+    const SourceVoxels source = opened_volume(volume);
+    for (const Place& at : {Place{-1, 0, 0}, Place{4, 0, 0}, Place{0, 3, 0}, Place{0, 0, -1}}) {
         EXPECT_EQ(voxel_of(source, at), 0.0F);
     }
     EXPECT_EQ(voxel_of(source, {3, 2, 1}), 123.0F);
@@ -171,10 +172,10 @@ TEST(VolumeAxes, AreTurnedWhereYIsUp) {
     VolumeFile volume = raw_volume(folder / "v.raw");
     volume.up_axis = VolumeUp::y;
     write_raw(volume, orders[0].axes);
-    const SourceVoxels source = opened(volume);
-    EXPECT_EQ(source.size, (Size{4, 2, 3}));
+    const SourceVoxels source = opened_volume(volume);
+    EXPECT_EQ(source.size, (Place{4, 2, 3}));
     EXPECT_EQ(source.voxel_size_m, (std::array<double, 3>{1, 3, 2}));
-    expect_voxels(source, [](const Size& at) { return Size{at[0], at[2], 1 - at[1]}; });
+    expect_voxels(source, [](const Place& at) { return Place{at[0], at[2], 1 - at[1]}; });
 }
 
 TEST(VolumeCrop, TakesTheVoxelsThatItCounts) {
@@ -185,11 +186,11 @@ TEST(VolumeCrop, TakesTheVoxelsThatItCounts) {
         volume.crop_first = {1, 1, 0};
         volume.crop_size = {2, 2, 1};
         write_raw(volume, orders[0].axes);
-        const SourceVoxels source = opened(volume);
-        EXPECT_EQ(source.size, (up == VolumeUp::z ? Size{2, 2, 1} : Size{2, 1, 2}));
-        expect_voxels(source, [up](const Size& at) {
-            const Size file = up == VolumeUp::z ? at : Size{at[0], at[2], 0};
-            return Size{1 + file[0], 1 + file[1], file[2]};
+        const SourceVoxels source = opened_volume(volume);
+        EXPECT_EQ(source.size, (up == VolumeUp::z ? Place{2, 2, 1} : Place{2, 1, 2}));
+        expect_voxels(source, [up](const Place& at) {
+            const Place file = up == VolumeUp::z ? at : Place{at[0], at[2], 0};
+            return Place{1 + file[0], 1 + file[1], file[2]};
         });
         EXPECT_EQ(voxel_of(source, {2, 0, 0}), 0.0F) << "the file goes on, the crop does not";
     }
@@ -201,9 +202,9 @@ TEST(VolumeCrop, TakesMetres) {
     volume.crop_corner = {Length{1.2}, Length{0}, Length{3}};
     volume.crop_extent = {Length{2}, Length{2}, Length{3}};
     write_raw(volume, orders[0].axes);
-    const SourceVoxels source = opened(volume);
-    EXPECT_EQ(source.size, (Size{2, 1, 1}));
-    expect_voxels(source, [](const Size& at) { return Size{1 + at[0], 0, 1}; });
+    const SourceVoxels source = opened_volume(volume);
+    EXPECT_EQ(source.size, (Place{2, 1, 1}));
+    expect_voxels(source, [](const Place& at) { return Place{1 + at[0], 0, 1}; });
 }
 
 TEST(VolumeCrop, TakesMetresOfAVdbFilesSpace) {
@@ -218,8 +219,8 @@ TEST(VolumeCrop, TakesMetresOfAVdbFilesSpace) {
     // Voxel 0 is centred at 100 m and reaches from 99 m to 101 m.
     volume.crop_corner = {Length{99}, Length{-1}, Length{-1}};
     volume.crop_extent = {Length{8}, Length{6}, Length{4}};
-    const SourceVoxels source = opened(volume);
-    ASSERT_EQ(source.size, (Size{4, 3, 2}));
+    const SourceVoxels source = opened_volume(volume);
+    ASSERT_EQ(source.size, (Place{4, 3, 2}));
     const auto voxels = grid->getConstAccessor();
     for (int x = 0; x < 4; ++x) {
         EXPECT_EQ(voxel_of(source, {x, 2, 1}), voxels.getValue(openvdb::Coord(x, 2, 1)));
@@ -231,8 +232,8 @@ TEST(VolumeBorder, IsBackgroundAtTheSides) {
     VolumeFile volume = raw_volume(folder / "v.raw");
     volume.border = 2;
     write_raw(volume, orders[0].axes);
-    const SourceVoxels source = opened(volume);
-    EXPECT_EQ(source.size, (Size{8, 7, 2}));
+    const SourceVoxels source = opened_volume(volume);
+    EXPECT_EQ(source.size, (Place{8, 7, 2}));
     EXPECT_EQ(voxel_of(source, {2, 2, 0}), 0.0F);
     EXPECT_EQ(voxel_of(source, {3, 4, 1}), 121.0F);
     EXPECT_EQ(voxel_of(source, {1, 2, 1}), 0.0F);
@@ -247,7 +248,7 @@ TEST(VolumeBackground, IsTheFilesTimesTheScale) {
     volume.path = folder / "v.vdb";
     volume.scale = 3;
     volume.border = 1;
-    const SourceVoxels source = opened(volume);
+    const SourceVoxels source = opened_volume(volume);
     EXPECT_EQ(source.beyond, 0.75F);
     EXPECT_EQ(voxel_of(source, {0, 0, 0}), 0.75F) << "in the border";
     EXPECT_EQ(voxel_of(source, {-5, 0, 0}), 0.75F);
@@ -276,8 +277,9 @@ TEST(VolumeFails, WhereTheFileIsNotWhatTheRecipeSays) {
     EXPECT_EQ(first_message(volume), "") << "small numbers are finite that way too";
     volume.byte_order = ByteOrder::little;
     std::string bytes = testing::read_bytes(path);
-    bytes.replace(4 * 17, 4,
-                  bytes_of(0x7fc0, PixelType::unorm16, ByteOrder::big) + std::string(2, '\0'));
+    bytes.replace(
+        4 * 17, 4,
+        bytes_of_number(0x7fc0, PixelType::unorm16, ByteOrder::big) + std::string(2, '\0'));
     std::reverse(bytes.begin() + 4 * 17, bytes.begin() + 4 * 18);
     testing::write_bytes(path, bytes);
     EXPECT_EQ(

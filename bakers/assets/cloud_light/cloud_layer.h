@@ -9,7 +9,6 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
-#include <vector>
 
 #include "bakers/air/cloud_optics.h"
 #include "bakers/assets/cloud_light/sky_parts.h"

@@ -5,7 +5,6 @@
 // J_1 is sunlight that is scattered for the first time. The cloud is scaled (cloud_scattering.h).
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "bakers/assets/cloud_light/cloud_layer.h"

@@ -71,9 +71,7 @@ Outcome<FileFacts> inspect_grids(const fs::path& path) {
             return {{}, {damaged_file(path, "VDB", "its grids are of different types")}};
         }
     }
-    for (const PixelType one : {PixelType::half, PixelType::fp8, PixelType::fp16}) {
-        if (type == to_string(one)) facts.pixel_type = one;
-    }
+    if (type == to_string(PixelType::half)) facts.pixel_type = PixelType::half;
     if (!facts.pixel_type && !is_nanovdb(path)) facts.pixel_type = PixelType::float32;
     facts.channels = facts.names.size();
     for (const auto& [name, text] : file.value->attributes) {
@@ -87,9 +85,7 @@ Outcome<bool> read_grid_voxels(const fs::path& path, const FileShape& shape, int
     const Outcome<FileFacts> facts = inspect_grids(path);
     if (!facts.value) return {{}, facts.diagnostics};
     const bool is_open = is_nanovdb(path);  // its size is not stated
-    const PixelType type = facts.value->pixel_type.value_or(PixelType::float32);
-    bool fits = facts.value->channels == shape.channels &&
-                (!is_open || nvdb_grid_type(type) == nvdb_grid_type(shape.pixel_type));
+    bool fits = facts.value->channels == shape.channels;
     std::vector<FileVoxels> grids;
     for (const std::string& name : facts.value->names) {
         Outcome<FileVoxels> grid = open_numbers(path, name);

@@ -9,7 +9,6 @@
 #include <new>
 #include <string>
 
-#include "bakers/field/block_voxels.h"
 #include "bakers/io/formats/format.h"
 
 namespace skybake {
@@ -199,8 +198,9 @@ void read_nvdb_leaf(NvdbInput& file, nanovdb::GridType type, std::uint64_t offse
     file.read(offset, memory.data(), nvdb_leaf_bytes(type));
     const auto decode = [&]<class Build>(Build) {
         const auto& leaf = *reinterpret_cast<const NvdbLeaf<Build>*>(memory.data());
-        const LeafCodes scale{leaf.mMinimum, leaf.mQuantum};
-        for (std::size_t i = 0; i < nvdb_leaf_voxels; ++i) values[i] = scale.value(leaf.mCode[i]);
+        for (std::size_t i = 0; i < nvdb_leaf_voxels; ++i) {
+            values[i] = static_cast<float>(leaf.mCode[i]) * leaf.mQuantum + leaf.mMinimum;
+        }
     };
     if (type == nanovdb::GridType::Fp8) return decode(nanovdb::Fp8{});
     if (type == nanovdb::GridType::Fp16) return decode(nanovdb::Fp16{});

@@ -7,8 +7,6 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "config/sections/pixel_types.h"
-
 namespace skybake {
 
 // Files and grids of OpenVDB 12 and later begin with other numbers: `NanoVDB2` and `NanoVDB1`. What
@@ -88,12 +86,6 @@ constexpr std::size_t nvdb_leaf_bytes(nanovdb::GridType type) {
         default:
             return 0;
     }
-}
-
-constexpr nanovdb::GridType nvdb_grid_type(config::PixelType type) {
-    if (type == config::PixelType::fp8) return nanovdb::GridType::Fp8;
-    if (type == config::PixelType::fp16) return nanovdb::GridType::Fp16;
-    return nanovdb::GridType::Float;
 }
 
 // Returns the place of a child in its parent's table, from its place along each axis.

@@ -5,7 +5,6 @@
 #include <cstring>
 
 #include "bakers/field/baked.h"
-#include "bakers/field/block_voxels.h"
 #include "bakers/field/pixel_type.h"
 
 namespace skybake {
@@ -19,10 +18,6 @@ struct LeafBlock {
     bool is_all_active() const {
         return std::all_of(active.begin(), active.end(),
                            [](std::uint64_t plane) { return ~plane == 0; });
-    }
-    bool is_inactive() const {
-        return std::all_of(active.begin(), active.end(),
-                           [](std::uint64_t plane) { return plane == 0; });
     }
 };
 
@@ -131,8 +126,9 @@ NvdbActive leaf_summary(const LeafBlock& leaf, const std::array<int, 3>& origin)
     return active;
 }
 
-// Fills in what all leaves have in common.
-template <class Leaf>
+using Leaf = NvdbLeaf<float>;
+
+// Fills in all but the values.
 void store_leaf_head(const LeafBlock& block, const NvdbActive& active, Leaf& leaf) {
     constexpr std::uint8_t has_bounds = 2;
     for (std::uint32_t a = 0; a < 3; ++a) {
@@ -143,80 +139,32 @@ void store_leaf_head(const LeafBlock& block, const NvdbActive& active, Leaf& lea
     leaf.mFlags = has_bounds;
     static_assert(sizeof leaf.mValueMask == sizeof block.active);
     std::memcpy(static_cast<void*>(&leaf.mValueMask), block.active.data(), sizeof block.active);
+    leaf.mMinimum = active.least;
+    leaf.mMaximum = active.largest;
+    leaf.mAverage = 0;
+    leaf.mStdDevi = 0;
 }
-
-// How leaves of floats are made: values are as stored, where the file's leaf has them.
-struct FloatLeaves {
-    using Leaf = NvdbLeaf<float>;
-
-    float* values(Leaf& leaf) { return leaf.mValues; }
-    // Returns whether the leaf has active voxels.
-    bool code(LeafBlock& block, bool is_sparse) const {
-        if (!is_sparse) return true;
-        if (is_all_zero(block)) return false;
-        drop_zeros(block);
-        return true;
-    }
-    void store(const LeafBlock&, const NvdbActive& active, Leaf& leaf) const {
-        leaf.mMinimum = active.least;
-        leaf.mMaximum = active.largest;
-        leaf.mAverage = 0;
-        leaf.mStdDevi = 0;
-    }
-};
-
-// How leaves of codes are made: values are those before coding, and become those after it.
-template <class Build>
-struct CodedLeaves {
-    using Leaf = NvdbLeaf<Build>;
-    std::array<float, nvdb_leaf_voxels> own{};
-    std::array<std::uint16_t, nvdb_leaf_voxels> codes{};
-    LeafCodes scale;
-
-    float* values(Leaf&) { return own.data(); }
-    bool code(LeafBlock& block, bool is_sparse) {
-        if (is_sparse && is_all_zero(block)) return false;
-        scale = quantize_leaf(block.values, nvdb_leaf_voxels, Leaf::bitWidth(), codes.data());
-        for (std::size_t i = 0; i < nvdb_leaf_voxels; ++i) block.values[i] = scale.value(codes[i]);
-        if (!is_sparse) return true;
-        drop_zeros(block);
-        return !block.is_inactive();
-    }
-    void store(const LeafBlock&, const NvdbActive& active, Leaf& leaf) const {
-        leaf.mMinimum = scale.minimum;
-        leaf.mQuantum = scale.quantum;
-        leaf.mMin = leaf.mMax = leaf.mAvg = leaf.mDev = 0;
-        if (scale.quantum != 0) {
-            leaf.setMin(active.least);
-            leaf.setMax(active.largest);
-        }
-        std::copy(codes.begin(), codes.end(), leaf.mCode);
-    }
-};
 
 // Leaves of a node along an axis.
 constexpr int leaves_along = nvdb_lower_edge / nvdb_leaf_edge;
 
 // Makes the leaves in a part of a node's box, which begins with the node's leaves of number `column`
 // along x. Parts follow each other along x, which is the order of leaves.
-template <class Leaves>
-void make_leaves(const Baked& volume, const VoxelBox& part, int column, Leaves& maker,
-                 NvdbSlot& slot) {
-    using Leaf = typename Leaves::Leaf;
+void make_leaves(const Baked& volume, const VoxelBox& part, int column, NvdbSlot& slot) {
     LeafBlock block;
     std::array<int, 3> at{};
     for (at[0] = 0; at[0] < part.size[0]; at[0] += nvdb_leaf_edge, ++column) {
         for (int y = 0; (at[1] = y * nvdb_leaf_edge) < part.size[1]; ++y) {
             for (int z = 0; (at[2] = z * nvdb_leaf_edge) < part.size[2]; ++z) {
                 Leaf& leaf = reinterpret_cast<Leaf*>(slot.memory.data())[slot.node.leaves];
-                block.values = maker.values(leaf);
+                block.values = leaf.mValues;
                 gather_leaf(part, slot.values.data(), at, block);
-                if (!maker.code(block, volume.sparse)) continue;
+                if (volume.sparse && is_all_zero(block)) continue;
+                if (volume.sparse) drop_zeros(block);
                 const NvdbActive active = leaf_summary(
                     block,
                     {part.origin[0] + at[0], part.origin[1] + at[1], part.origin[2] + at[2]});
                 store_leaf_head(block, active, leaf);
-                maker.store(block, active, leaf);
                 const int child = (column * leaves_along + y) * leaves_along + z;
                 slot.node.children[static_cast<std::size_t>(child / 64)] |= 1ULL << child % 64;
                 slot.node.active.add(active);
@@ -229,10 +177,8 @@ void make_leaves(const Baked& volume, const VoxelBox& part, int column, Leaves& 
 // The voxels of a part along x. Its floats stay in a processor's cache until they are in leaves.
 constexpr int part_edge = 2 * nvdb_leaf_edge;
 
-template <class Leaves>
 void make_node(const Baked& volume, const VoxelSource& voxels, std::size_t channel,
-               const VoxelBox& box, Leaves maker, NvdbSlot& slot) {
-    using Leaf = typename Leaves::Leaf;
+               const VoxelBox& box, NvdbSlot& slot) {
     slot.memory.resize(std::size_t{leaves_along} * leaves_along * leaves_along * sizeof(Leaf) /
                        sizeof(NvdbUnit));
     std::vector<float*> planes(volume.channel_names.size(), nullptr);
@@ -243,7 +189,7 @@ void make_node(const Baked& volume, const VoxelSource& voxels, std::size_t chann
         planes[channel] = slot.values.data();
         voxels.fill(part, planes);
         round_values(slot.values.data(), slot.values.size(), volume.pixel_type);
-        make_leaves(volume, part, x / nvdb_leaf_edge, maker, slot);
+        make_leaves(volume, part, x / nvdb_leaf_edge, slot);
     }
     slot.leaves = {reinterpret_cast<const char*>(slot.memory.data()),
                    slot.node.leaves * sizeof(Leaf)};
@@ -265,16 +211,8 @@ void make_nvdb_leaves(const Baked& volume, const Level& level, std::size_t chann
                       const VoxelBox& box, NvdbSlot& slot) {
     slot.leaves = {};
     slot.node = {};
-    const VoxelSource& voxels = level.uncoded != nullptr ? *level.uncoded : *level.voxels;
-    if (volume.sparse && voxels.is_empty(box)) return;
-    switch (nvdb_grid_type(volume.pixel_type)) {
-        case nanovdb::GridType::Fp8:
-            return make_node(volume, voxels, channel, box, CodedLeaves<nanovdb::Fp8>{}, slot);
-        case nanovdb::GridType::Fp16:
-            return make_node(volume, voxels, channel, box, CodedLeaves<nanovdb::Fp16>{}, slot);
-        default:
-            return make_node(volume, voxels, channel, box, FloatLeaves{}, slot);
-    }
+    if (volume.sparse && level.voxels->is_empty(box)) return;
+    make_node(volume, *level.voxels, channel, box, slot);
 }
 
 }  // namespace skybake

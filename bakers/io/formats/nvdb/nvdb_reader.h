@@ -2,9 +2,8 @@
 //
 // A file has one grid per channel, with the names of the VDB file's (vdb_file.h), in one segment
 // without a codec. Grids are fog volumes with background 0. Float and half are stored as float, which
-// holds both exactly; fp8 and fp16 as the grid types Fp8 and Fp16, each leaf of 8 x 8 x 8 voxels in
-// equal steps between its least and its largest value. Voxel i is centred on
-// minimum_m + (i + 1/2) h in metres, as in VDB files, and the same voxels are active.
+// holds both exactly. Voxel i is centred on minimum_m + (i + 1/2) h in metres, as in VDB files, and the
+// same voxels are active.
 //
 // The version of the files is that of the library with which skybake is built, 32.4.2 on Debian 12,
 // and their magic number is `NanoVDB0`, which pbrt-v4 and OpenVDB 8 to 11 read. NanoVDB of OpenVDB 12

@@ -85,6 +85,8 @@ struct NvdbUpperNode {
 };
 
 // Writes one grid from the output's position on.
+constexpr std::size_t leaf_bytes = sizeof(NvdbLeaf<float>);
+
 class NvdbGridWriter {
   public:
     NvdbGridWriter(const FileContent& content, std::size_t channel, const NvdbNodes& nodes,
@@ -95,8 +97,7 @@ class NvdbGridWriter {
           channel_(channel),
           nodes_(nodes),
           output_(output),
-          begin_(output.position()),
-          leaf_bytes_(nvdb_leaf_bytes(nvdb_grid_type(volume_.pixel_type))) {
+          begin_(output.position()) {
         // NvdbNodes that turn out empty are left out, and their room stays free before the leaves.
         leaves_at_ = nvdb_tiles_at + nodes.uppers() * (sizeof(NvdbRoot::Tile) + sizeof(NvdbUpper)) +
                      nodes.count() * sizeof(NvdbLower);
@@ -107,7 +108,7 @@ class NvdbGridWriter {
         output_.seek(begin_ + leaves_at_);
         if (!write_leaves()) return false;
         collect_nodes();
-        const std::uint64_t blind_at = leaves_at_ + leaves_ * leaf_bytes_;
+        const std::uint64_t blind_at = leaves_at_ + leaves_ * leaf_bytes;
         std::uint64_t end = blind_at;
         if (!description.empty()) end += write_blind(description);
         write_uppers();
@@ -141,8 +142,8 @@ class NvdbGridWriter {
             },
             [&](int i, NvdbSlot& made) {
                 output_.write(made.leaves);
-                for (std::size_t at = 0; at < made.leaves.size(); at += leaf_bytes_) {
-                    leaf_checksums_.push_back(nvdb_crc(made.leaves.substr(at, leaf_bytes_)));
+                for (std::size_t at = 0; at < made.leaves.size(); at += leaf_bytes) {
+                    leaf_checksums_.push_back(nvdb_crc(made.leaves.substr(at, leaf_bytes)));
                 }
                 made.node.first_leaf = leaves_;
                 leaves_ += made.node.leaves;
@@ -249,7 +250,7 @@ class NvdbGridWriter {
         std::strncpy(grid.mGridName, name.c_str(), sizeof grid.mGridName - 1);
         store_map(grid);
         grid.mGridClass = nanovdb::GridClass::FogVolume;
-        grid.mGridType = nvdb_grid_type(volume_.pixel_type);
+        grid.mGridType = nanovdb::GridType::Float;
         grid.mBlindMetadataOffset = static_cast<std::int64_t>(blind_at);
         grid.mBlindMetadataCount = blind_at > 0 ? 1 : 0;
     }
@@ -308,12 +309,12 @@ class NvdbGridWriter {
         std::memcpy(static_cast<void*>(&node->mChildMask), made.children.data(),
                     sizeof made.children);
         std::uint64_t leaf =
-            leaves_at_ + made.first_leaf * leaf_bytes_ - (lowers_at_ + index * sizeof(NvdbLower));
+            leaves_at_ + made.first_leaf * leaf_bytes - (lowers_at_ + index * sizeof(NvdbLower));
         for (std::uint32_t word = 0; word < made.children.size(); ++word) {
             for (std::uint64_t left = made.children[word]; left != 0; left &= left - 1) {
                 const auto bit = static_cast<std::uint32_t>(std::countr_zero(left));
                 node->mTable[64 * word + bit].child = static_cast<std::int64_t>(leaf);
-                leaf += leaf_bytes_;
+                leaf += leaf_bytes;
             }
         }
         write_node(node.bytes());
@@ -331,7 +332,6 @@ class NvdbGridWriter {
     const NvdbNodes& nodes_;
     FileOutput& output_;
     const std::uint64_t begin_;
-    const std::size_t leaf_bytes_;
     std::uint64_t leaves_at_ = 0;  // offsets count from the grid's beginning
     std::uint64_t uppers_at_ = 0;
     std::uint64_t lowers_at_ = 0;
