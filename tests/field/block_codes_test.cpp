@@ -344,7 +344,8 @@ TEST(Bc6h, EqualColoursAreAlmostExactAndZeroIsZero) {
 // --- Volumes ------------------------------------------------------------------------------------
 
 Baked coded_volume(const std::array<int, 3>& size, int channels, PixelType type) {
-    Baked volume = testing::plain_volume(size, channels, type, [](int x, int y, int z, int c) {
+    Baked volume = testing::plain_volume(size, channels, type, [size](int x, int y, int z, int c) {
+        EXPECT_TRUE(x < size[0] && y < size[1] && z < size[2]) << "beyond the edge";
         return static_cast<float>(0.5 + 0.3 * std::sin(0.2 * x + 0.1 * c) * std::cos(0.3 * y) +
                                   0.002 * z);
     });
