@@ -385,7 +385,7 @@ TEST(CodedVoxels, DoNotDependOnTheBox) {
         EXPECT_GT(largest, 0) << static_cast<int>(type);
         EXPECT_LT(largest, 0.05) << static_cast<int>(type);
         for (const VoxelBox box :
-             {VoxelBox{{3, 2, 1}, {2, 2, 2}}, {{0, 0, 8}, {13, 10, 1}}, {{12, 9, 0}, {1, 1, 9}}}) {
+             {VoxelBox{{3, 2, 1}, {2, 8, 2}}, {{0, 0, 8}, {13, 10, 1}}, {{12, 9, 0}, {1, 1, 9}}}) {
             const std::vector<float> part = voxels_of(source, box, count);
             std::size_t i = 0;
             for (std::size_t c = 0; c < count; ++c) {
