@@ -344,7 +344,8 @@ TEST(Bc6h, EqualColoursAreAlmostExactAndZeroIsZero) {
 // --- Volumes ------------------------------------------------------------------------------------
 
 Baked coded_volume(const std::array<int, 3>& size, int channels, PixelType type) {
-    Baked volume = testing::plain_volume(size, channels, type, [](int x, int y, int z, int c) {
+    Baked volume = testing::plain_volume(size, channels, type, [size](int x, int y, int z, int c) {
+        EXPECT_TRUE(x < size[0] && y < size[1] && z < size[2]) << "beyond the edge";
         return static_cast<float>(0.5 + 0.3 * std::sin(0.2 * x + 0.1 * c) * std::cos(0.3 * y) +
                                   0.002 * z);
     });
@@ -384,7 +385,7 @@ TEST(CodedVoxels, DoNotDependOnTheBox) {
         EXPECT_GT(largest, 0) << static_cast<int>(type);
         EXPECT_LT(largest, 0.05) << static_cast<int>(type);
         for (const VoxelBox box :
-             {VoxelBox{{3, 2, 1}, {2, 2, 2}}, {{0, 0, 8}, {13, 10, 1}}, {{12, 9, 0}, {1, 1, 9}}}) {
+             {VoxelBox{{3, 2, 1}, {2, 8, 2}}, {{0, 0, 8}, {13, 10, 1}}, {{12, 9, 0}, {1, 1, 9}}}) {
             const std::vector<float> part = voxels_of(source, box, count);
             std::size_t i = 0;
             for (std::size_t c = 0; c < count; ++c) {
