@@ -104,8 +104,9 @@ LightTextures textures_of(const CloudLayer& layer, double elevation) {
     bake.degree = kDegree;
     textures.size = cloud_light_size(layer.size, bake);
     const auto cells = cloud_light::place_grid(layer.size, cloud_light_spacing(bake), false);
-    const cloud_light::SolvedRadiance solved = cloud_light::solve_radiance(
-        layer, cells, cloud_light::scattering_of(bake), kDegree, sun_at(elevation), with_threads());
+    const cloud_light::SolvedRadiance solved =
+        cloud_light::solve_radiance(layer, cells, cloud_light::scattering_of(layer, bake), kDegree,
+                                    sun_at(elevation), with_threads());
     const cloud_light::TexelFit fit = fit_of(layer, cells, textures.size);
     for (std::size_t c = 0; c < solved.scattered.count(); ++c) {
         textures.of_sun.push_back(texels_of(fit, cloud_light::values_of(solved.scattered, c),

@@ -54,8 +54,8 @@ std::vector<std::vector<float>> texels_of(const CloudLayer& layer,
                                           const LayerSources& sources) {
     constexpr float kAny = std::numeric_limits<float>::max();
     const auto cells = cloud_light::place_grid(layer.size, cloud_light_spacing(bake), false);
-    const auto solved = cloud_light::solve_radiance(layer, cells, cloud_light::scattering_of(bake),
-                                                    kDegree, sources, with_threads());
+    const auto solved = cloud_light::solve_radiance(
+        layer, cells, cloud_light::scattering_of(layer, bake), kDegree, sources, with_threads());
     const cloud_light::TexelFit fit(cells.count, cloud_light_size(layer.size, bake),
                                     density_around(layer, cells, kThreads), kThreads);
     std::vector<std::vector<float>> texels;
@@ -77,7 +77,7 @@ TEST(SlowSkyPictures, CumulusFromOutsideIsThatOfPaths) {
     ASSERT_TRUE(recipe.value);
     const config::CloudLightBake& bake = light_of(recipe.value->parameters);
     const CloudLayer layer = layer_under_sky(recipe.value->parameters);
-    const auto& scattering = cloud_light::scattering_of(bake);
+    const auto& scattering = cloud_light::scattering_of(layer, bake);
     LayerSources uniform, clear, seen_clear, ground;
     uniform.sky = clear.sky = seen_clear.sky = ground.ground = 1;
     clear.sky_shape = layer.sky.shape;
