@@ -213,9 +213,9 @@ double CloudReference::shaped(const std::array<double, 3>& place, double base_no
     }
     if (!in_file) return value;
     const double full = cloud_.full_at ? std::fmin(value / *cloud_.full_at, 1) : value;
-    const double inside = cloud_.water == config::CloudWater::rising
-                              ? full * exponential(2.0 / 3 * logarithm(h))
-                              : full;
+    const bool is_even = cloud_.water == config::CloudWater::even;
+    const double water = h > 0 ? exponential(2.0 / 3 * logarithm(h)) : 0;
+    const double inside = is_even ? full : full * water;
     if (cloud_.edge_softness == 0) return value > cloud_.threshold ? inside : 0;
     return inside * smooth_step(cloud_.threshold, cloud_.threshold + cloud_.edge_softness, value);
 }
