@@ -216,6 +216,7 @@ TEST(MarchLight, SunlightFadesAsTheSunSets) {
     for (const double height : {1.01, 0.99, 0.5, 0.25, 0.0, -0.25, -0.99, -1.01}) {
         const auto light = within.under({height, 70}, options);
         ASSERT_TRUE(light);
+        EXPECT_EQ(sun_depth_at(*light, {0.3F, 0.3F, -0.1F}), 0);  // below the layer
         sums.push_back(0);
         for (const Seen& one : marched(medium, {height, 70}, &*light)) sums.back() += one.sun;
     }
