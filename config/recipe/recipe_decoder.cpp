@@ -42,7 +42,10 @@ void decode_layers(const Table& atmosphere, const Parameters& recipe, Atmosphere
             decode_layer(entry.key, entry.key_place, *table, recipe, decoder);
         if (!layer) continue;
         const Length thickness{result.top_radius.meters - result.ground_radius.meters};
-        const std::string fault = resolve_matter(*layer, thickness, recipe.wavelengths);
+        std::string fault;
+        if (thickness.meters > 0) {  // else the radii were reported
+            fault = resolve_matter(*layer, thickness, recipe.wavelengths);
+        }
         if (!fault.empty() && !decoder.diagnostics.has_errors()) {
             decoder.diagnostics.error(
                 "E0145", entry.key_place,

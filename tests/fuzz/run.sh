@@ -6,7 +6,7 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 
 fuzzers=(recipe units setting reader)
-seconds=$((${1:-60} / 2))
+seconds=$(((${1:-60} + 1) / 2))  # 0 would have no end
 examples/install_packages.sh --more
 cmake --preset fuzz -DSKYBAKE_PRECOMPILED_HEADERS=ON -DSKYBAKE_BATCHES=ON >/dev/null
 cmake --build --preset fuzz --target "${fuzzers[@]/%/_fuzzer}"
