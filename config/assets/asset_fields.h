@@ -181,6 +181,12 @@ std::vector<Row<S>> with_file_fields(const Row<S> (&own)[count], const FileWords
 // The lookups have the harmonics up to this degree.
 inline constexpr Range harmonics_degree_range{0, 3};
 
+// Returns a shared key for a section where it applies under a condition.
+constexpr Field with(Field field, const When& when) {
+    say(field, when);
+    return field;
+}
+
 // The fit of the droplets' phase function holds from 5 to 50 um.
 inline constexpr Range droplet_range{5e-6, 50e-6};
 inline constexpr Field droplet_diameter_field =

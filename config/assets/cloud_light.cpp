@@ -63,12 +63,6 @@ constexpr std::string_view of_depths[] = {
 constexpr std::string_view of_radiance[] = {"sun_radiance", "sky_radiance", "clear_sky_radiance",
                                             "ground_radiance"};
 
-constexpr Field of_light_within(Field field) {
-    field.selector = "contents";
-    field.selected_by = of_radiance;
-    return field;
-}
-
 const Row<CloudLightBake> cloud_light_table[] = {
     {source_volume_field, &CloudLightBake::of},
     {source_channel_field, &CloudLightBake::channel},
@@ -96,8 +90,10 @@ const Row<CloudLightBake> cloud_light_table[] = {
      "is at most this share of the light that nothing shades",
      lookup_error_range, Hint{"for example \"5 %\""}, Exclusive{"size"},
      When{"contents", of_depths}},
-    {of_light_within(droplet_diameter_field), &CloudLightBake::droplet_diameter},
-    {of_light_within(single_scattering_albedo_field), &CloudLightBake::single_scattering_albedo},
+    {with(droplet_diameter_field, When{"contents", of_radiance}),
+     &CloudLightBake::droplet_diameter},
+    {with(single_scattering_albedo_field, When{"contents", of_radiance}),
+     &CloudLightBake::single_scattering_albedo},
 };
 
 VoxelCounts texels_of(const CloudVolumeBake& volume, int cell, bool is_map) {

@@ -10,12 +10,6 @@ namespace {
 
 constexpr std::string_view droplets[] = {"droplets"};
 
-constexpr Field when_droplets(Field field) {
-    field.selector = "particles";
-    field.selected_by = droplets;
-    return field;
-}
-
 const Row<ForwardScatteringBake> forward_scattering_table[] = {
     {"size", Kind::size, &ForwardScatteringBake::size,
      "texels along the scattering angle and along the optical depth", texel_range,
@@ -26,7 +20,8 @@ const Row<ForwardScatteringBake> forward_scattering_table[] = {
      Default{"3"}},
     {"particles", Kind::choice, &ForwardScatteringBake::particles, "what the cloud consists of",
      cloud_particles_choices, Default{R"("droplets")"}},
-    {when_droplets(droplet_diameter_field), &ForwardScatteringBake::droplet_diameter},
+    {with(droplet_diameter_field, When{"particles", droplets}),
+     &ForwardScatteringBake::droplet_diameter},
     {single_scattering_albedo_field, &ForwardScatteringBake::single_scattering_albedo},
 };
 
