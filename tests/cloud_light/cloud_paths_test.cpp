@@ -95,7 +95,7 @@ TEST(CloudPaths, KeepAllLightOfAFurnace) {
     LayerSources sources;
     sources.sky = 1;
     sources.ground = 1;
-    const CloudPaths paths(layer, droplet_scattering(12, 1), sources, 2);
+    const CloudPaths paths(layer, scattering_of(droplet_phase(12), 1), sources, 2);
     for (const double z : {0.0, 3.4, 7.0}) {
         const TracedRadiance found =
             paths.trace({2, 3, z}, {0.6, 0, z > 3.5 ? -0.8 : 0.8}, 50, 1, 0);
@@ -133,7 +133,7 @@ TEST(CloudPaths, ScatterOnceExactly) {
         LayerSources sources;
         sources.sun = 2;
         sources.sun_direction = direction_of(0.5, 1);
-        const CloudScattering scattering = droplet_scattering(12, 0.95);
+        const CloudScattering scattering = scattering_of(droplet_phase(12), 0.95);
         const CloudPaths paths(layer, scattering, sources, 2);
         for (const glm::dvec3& look : {direction_of(0.3, 2), direction_of(-0.7, 4)}) {
             const glm::dvec3 place(4.2, 5.1, look.z > 0 ? 0 : 8);
@@ -153,7 +153,7 @@ TEST(CloudPaths, ScatterOnceExactly) {
 
 TEST(CloudPaths, PassWithTheExponentialOfTheDepth) {
     const CloudLayer layer = test::rough_layer({13, 7, 5}, 0.5);
-    const CloudPaths paths(layer, droplet_scattering(12, 1), {}, 2);
+    const CloudPaths paths(layer, scattering_of(droplet_phase(12), 1), {}, 2);
     for (const double cosine : {1.0, 0.3}) {
         const glm::dvec3 place(0.2, 6.9, 0);
         const glm::dvec3 direction = direction_of(cosine, 2);
@@ -197,7 +197,7 @@ TEST(CloudPaths, RepeatTheLayer) {
 // section 52).
 TEST(CloudPaths, AreReciprocal) {
     const CloudLayer layer = slab(6);
-    const CloudScattering scattering = droplet_scattering(12, 1);
+    const CloudScattering scattering = scattering_of(droplet_phase(12), 1);
     std::array<TracedRadiance, 2> found;
     const std::array<double, 2> cosines = {0.9, 0.35};
     for (std::size_t i = 0; i < 2; ++i) {
@@ -218,7 +218,7 @@ TEST(CloudPaths, TakeHardCases) {
     sources.sun = 1;
     sources.sky = 0.5;
     sources.sun_direction = {0, 0, 1};
-    const CloudScattering scattering = droplet_scattering(12, 1);
+    const CloudScattering scattering = scattering_of(droplet_phase(12), 1);
     const CloudLayer empty = test::layer_of({4, 4, 4}, 0);
     const CloudPaths nothing(empty, scattering, sources, 1);
     EXPECT_EQ(nothing.trace({1, 1, 0}, {0, 0, 1}, 4, 0, 0).sum(), 0.5);

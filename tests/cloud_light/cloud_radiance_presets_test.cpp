@@ -33,7 +33,7 @@ constexpr std::size_t kFewPixels = 48;
 constexpr int kDepthCell = 2;
 constexpr int kRadianceCell = 4;
 
-const cloud_light::CloudScattering kScattering = cloud_light::droplet_scattering(12, 1);
+const cloud_light::CloudScattering kScattering = cloud_light::scattering_of(droplet_phase(12), 1);
 
 cloud_light::LayerSources sun_at(double elevation) {
     cloud_light::LayerSources sources;

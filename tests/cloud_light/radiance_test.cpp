@@ -29,8 +29,9 @@ TEST(Radiance, IsThatOfAFurnace) {
     LayerSources sources;
     sources.sky = 1;
     sources.ground = 1;
-    const SolvedRadiance solved = solve_radiance(layer, place_grid(layer.size, 1, false),
-                                                 droplet_scattering(12, 1), 3, sources, on(2));
+    const SolvedRadiance solved =
+        solve_radiance(layer, place_grid(layer.size, 1, false), scattering_of(droplet_phase(12), 1),
+                       3, sources, on(2));
     for (std::size_t c = 0; c < 16; ++c) {
         const double wanted = c == 0 ? 2 * std::sqrt(std::numbers::pi) : 0;
         for (const float value : values_of(solved.scattered, c)) EXPECT_NEAR(value, wanted, 4e-3);
@@ -46,7 +47,7 @@ TEST(Radiance, OfSkyAndGroundAddUpToTheFurnace) {
         LayerSources sources;
         (sky ? sources.sky : sources.ground) = 1;
         const SolvedRadiance solved =
-            solve_radiance(layer, places, droplet_scattering(12, 1), 1, sources, on(2));
+            solve_radiance(layer, places, scattering_of(droplet_phase(12), 1), 1, sources, on(2));
         const std::vector<float> values = values_of(solved.scattered, 0);
         for (std::size_t i = 0; i < sum.size(); ++i) {
             EXPECT_GT(values[i], 0);
@@ -123,7 +124,7 @@ TEST(Radiance, OfHardCasesIsFinite) {
 }
 
 TEST(ScaledScattering, HasTheMomentsOfTheWholeBelowItsPeak) {
-    const CloudScattering droplets = droplet_scattering(12, 0.9);
+    const CloudScattering droplets = scattering_of(droplet_phase(12), 0.9);
     const std::vector<double> moments = moments_of(droplets, 4);
     EXPECT_NEAR(moments[0], 1, 1e-12);
     const ScaledScattering rest = scaled(droplets, 3);

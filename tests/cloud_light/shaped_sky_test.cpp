@@ -44,9 +44,9 @@ double flipped_gradient(const glm::dvec3& d) { return gradient({-d.x, -d.y, d.z}
 
 TEST(ShapedSky, UniformHasTheBitsOfNoShape) {
     const CloudLayer layer = test::rough_layer({9, 6, 7}, 0.4);
-    const CellFields uniform = solved(layer, droplet_scattering(12, 1), of_sky({}));
-    const CellFields shaped =
-        solved(layer, droplet_scattering(12, 1), of_sky([](const glm::dvec3&) { return 1.0; }));
+    const CellFields uniform = solved(layer, scattering_of(droplet_phase(12), 1), of_sky({}));
+    const CellFields shaped = solved(layer, scattering_of(droplet_phase(12), 1),
+                                     of_sky([](const glm::dvec3&) { return 1.0; }));
     for (std::size_t c = 0; c < uniform.count(); ++c) {
         EXPECT_EQ(values_of(uniform, c), values_of(shaped, c)) << c;
     }
@@ -91,7 +91,8 @@ TEST(ShapedSky, IsNotScatteredByAnEmptyLayer) {
     const CloudLayer layer = test::layer_of({2, 2, 3}, 0);
     for (const double rise : {-0.7, 0.7}) {
         const glm::dvec3 look = towards(rise, 0.4);
-        EXPECT_EQ(marched_from_outside(layer, droplet_scattering(12, 1), of_sky(gradient), look),
+        EXPECT_EQ(marched_from_outside(layer, scattering_of(droplet_phase(12), 1), of_sky(gradient),
+                                       look),
                   rise > 0 ? gradient(look) : 0);
     }
 }

@@ -18,7 +18,7 @@ namespace skybake::forward_scattering {
 namespace {
 
 using cloud_light::CloudScattering;
-using cloud_light::droplet_scattering;
+using cloud_light::scattering_of;
 
 constexpr double kPi = std::numbers::pi;
 
@@ -50,7 +50,7 @@ double integral(const SmallAngles& light, double depth, double from, double to, 
 TEST(SmallAngles, AreThoseOfSingleScatteringWhereTheSunIsNotHidden) {
     for (const double diameter : {5.0, 12.0, 50.0}) {
         for (const int degree : {0, 1, 3}) {
-            const SmallAngles light(droplet_scattering(diameter, 0.9), degree);
+            const SmallAngles light(scattering_of(droplet_phase(diameter), 0.9), degree);
             for (const double x : {0.0, 0.05, 0.3, 0.7, 1.0}) {
                 EXPECT_NEAR(light.reference(0, angle_at(x)), 1, 1e-7) << diameter << ' ' << x;
             }
@@ -145,7 +145,7 @@ TEST(SmallAngles, AreThoseOfLightThatWalksAtRandom) {
 TEST(SmallAngles, OfTheKernelAreThoseOfTheReference) {
     for (const double diameter : {5.0, 50.0}) {
         for (const int degree : {0, 3}) {
-            const SmallAngles light(droplet_scattering(diameter, 1), degree);
+            const SmallAngles light(scattering_of(droplet_phase(diameter), 1), degree);
             std::vector<ScatteringAngle> angles;
             for (const double x : {0.0, 0.01, 0.1, 0.3, 0.6, 0.8, 0.95, 1.0}) {
                 angles.push_back(angle_at(x));

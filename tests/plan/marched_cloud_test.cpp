@@ -26,8 +26,8 @@ const glm::dvec3 kSun = glm::normalize(glm::dvec3(0.6, 0, 0.8));
 const glm::dvec3 kLook = glm::normalize(glm::dvec3(0, 0.6, 0.8));
 
 double droplet_phase_at(double cosine) {
-    return cloud_light::phase_value(cloud_light::droplet_scattering(kDropletDiameter_um, 1),
-                                    1 - cosine, 1 + cosine);
+    return cloud_light::phase_value(
+        cloud_light::scattering_of(droplet_phase(kDropletDiameter_um), 1), 1 - cosine, 1 + cosine);
 }
 
 CloudWay single_scattering() {

@@ -44,7 +44,7 @@ ReferenceLight reference_light(const LightInCloud& light, const glm::dvec3& dire
                                double offset, const glm::dvec3& place,
                                const std::array<double, 2>& tau_and_beyond) {
     static const forward_scattering::SmallAngles small(
-        cloud_light::droplet_scattering(kDropletDiameter_um, 1), 3);
+        cloud_light::scattering_of(droplet_phase(kDropletDiameter_um), 1), 3);
     const auto [tau, beyond] = tau_and_beyond;
     const ScatteringAngle angle{offset, 2 - offset};
     const double g = mean_cosine(droplet_phase(kDropletDiameter_um));

@@ -6,10 +6,6 @@
 
 namespace skybake::cloud_light {
 
-CloudScattering droplet_scattering(double diameter_um, double albedo) {
-    return scattering_of(droplet_phase(diameter_um), albedo);
-}
-
 CloudScattering scattering_of(const CloudPhase& phase, double albedo) {
     PhaseFunction peak = make_phase_function(config::Phase::henyey_greenstein, phase.hg_g);
     PhaseFunction wide = make_phase_function(config::Phase::henyey_greenstein, phase.draine_g);

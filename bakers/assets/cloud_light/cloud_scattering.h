@@ -29,9 +29,6 @@ struct CloudScattering {
     double albedo = 1;                  // of single scattering
 };
 
-// The fit of Mie's theory for droplets of water (air/cloud_phase.h), 5 <= diameter <= 50 um.
-CloudScattering droplet_scattering(double diameter_um, double albedo);
-
 CloudScattering scattering_of(const CloudPhase& phase, double albedo);
 
 // The phase function in 1/sr at a scattering angle, given as 1 - cosine and 1 + cosine.

@@ -97,30 +97,40 @@ const Image2<float>& forward_integrals(config::CloudParticles particles) {
 
 // Calls visit(cell, x, y, z) for the padded cells of `light` and the places of the solution that they stand
 // for. Beyond its sides a tile repeats, or has the light of its margin; beyond its faces it has that of the
-// outermost cells.
+// outermost cells. `upside_down`: the solution is that of the mirrored layer.
 template <class Visit>
 void for_padded_cells(const SolvedRadiance& solved, const std::array<int, 3>& margin,
-                      const LightInCloud& light, const Visit& visit) {
+                      bool upside_down, const LightInCloud& light, const Visit& visit) {
     const std::array<int, 3>& all = solved.scattered.size();
     std::size_t cell = 0;
     for (int z = -1; z <= light.cells[2]; ++z) {
+        const int level = std::clamp(z, 0, all[2] - 1);
         for (int y = -1; y <= light.cells[1]; ++y) {
             for (int x = -1; x <= light.cells[0]; ++x, ++cell) {
                 visit(cell, wrapped(x + margin[0], all[0]), wrapped(y + margin[1], all[1]),
-                      std::clamp(z, 0, all[2] - 1));
+                      upside_down ? all[2] - 1 - level : level);
             }
         }
     }
 }
 
-// Writes `count` coefficients of cells to `light`, from the coefficient `first` on.
+// Writes `count` coefficients of cells to `light`, from the coefficient `first` on, times `strength`. Harmonics
+// of odd l + m change their sign in a mirror.
 void write(const SolvedRadiance& solved, const std::array<int, 3>& margin, std::size_t first,
-           std::size_t count, LightInCloud& light) {
-    for_padded_cells(solved, margin, light, [&](std::size_t cell, int x, int y, int z) {
-        for (std::size_t c = 0; c < count; ++c) {
-            light.values[cell * LightInCloud::kAll + first + c] = solved.scattered.row(c, z, y)[x];
-        }
-    });
+           std::size_t count, double strength, bool upside_down, LightInCloud& light) {
+    std::array<double, LightInCloud::kSun> factors{};
+    for (std::size_t c = 0; c < count; ++c) {
+        const std::size_t degree = degree_of_harmonic(c);
+        const bool is_odd = (c - degree * degree) % 2 != 0;
+        factors[c] = upside_down && is_odd ? -strength : strength;
+    }
+    for_padded_cells(
+        solved, margin, upside_down, light, [&](std::size_t cell, int x, int y, int z) {
+            for (std::size_t c = 0; c < count; ++c) {
+                light.values[cell * LightInCloud::kAll + first + c] =
+                    static_cast<float>(factors[c] * double{solved.scattered.row(c, z, y)[x]});
+            }
+        });
 }
 
 // The layer upside down: under a sun below the horizon it is as this one under the mirrored sun.
@@ -133,25 +143,6 @@ CloudLayer upside_down(const CloudLayer& layer) {
         std::copy_n(layer.values.data() + from, plane, turned.values.data() + to);
     }
     return turned;
-}
-
-// Writes sunlight: coefficients times `strength`, and depths. With `upside_down` the solution is that of the
-// mirrored layer, where harmonics of odd l + m change their sign.
-void write_sunlight(const SolvedRadiance& solved, const std::array<int, 3>& margin, double strength,
-                    bool upside_down, LightInCloud& light) {
-    light.depths.resize(light.values.size() / LightInCloud::kAll);
-    const std::array<int, 3>& all = solved.scattered.size();
-    for_padded_cells(solved, margin, light, [&](std::size_t cell, int x, int y, int z) {
-        const int level = upside_down ? all[2] - 1 - z : z;
-        light.depths[cell] = solved.sun_depths[occupancy::index_of(all, x, y, level)];
-        for (std::size_t c = 0; c < LightInCloud::kSun; ++c) {
-            const std::size_t degree = degree_of_harmonic(c);
-            const bool is_odd = (c - degree * degree) % 2 != 0;
-            const double sign = upside_down && is_odd ? -strength : strength;
-            light.values[cell * LightInCloud::kAll + c] =
-                static_cast<float>(sign * double{solved.scattered.row(c, level, y)[x]});
-        }
-    });
 }
 
 }  // namespace
@@ -199,7 +190,7 @@ MarchLight::MarchLight(const CloudMedium& medium, double most_cells, const BakeO
     std::size_t first = LightInCloud::kSun;
     for (const LayerSources& source : {sky, ground}) {
         write(solver_->solve(source, options, kSeenChange), margin_, first,
-              LightInCloud::kHemisphere, without_sun_);
+              LightInCloud::kHemisphere, 1, false, without_sun_);
         first += LightInCloud::kHemisphere;
     }
 }
@@ -224,7 +215,12 @@ std::optional<LightInCloud> MarchLight::under(const SunDirection& sun,
     if (options.cancelled()) return std::nullopt;
     LightInCloud light = without_sun_;
     const double strength = sine_of_degrees(height) / sine_of_degrees(solved_height);
-    write_sunlight(solved, margin_, strength, is_below, light);
+    write(solved, margin_, 0, LightInCloud::kSun, strength, is_below, light);
+    light.depths.resize(light.values.size() / LightInCloud::kAll);
+    for_padded_cells(solved, margin_, is_below, light, [&](std::size_t cell, int x, int y, int z) {
+        light.depths[cell] =
+            solved.sun_depths[occupancy::index_of(solved.scattered.size(), x, y, z)];
+    });
     return light;
 }
 
