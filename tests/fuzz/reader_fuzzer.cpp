@@ -134,7 +134,8 @@ const std::vector<Sample>& samples() {
 std::string changed(std::string bytes, const std::uint8_t* data, std::size_t size) {
     for (constexpr std::size_t each = 12; size >= each; data += each, size -= each) {
         if (bytes.empty()) break;
-        const std::size_t place = (data[0] | data[1] << 8 | data[2] << 16) % bytes.size();
+        const std::size_t place =
+            static_cast<std::size_t>(data[0] | data[1] << 8 | data[2] << 16) % bytes.size();
         const std::size_t width = std::size_t{1} << data[3] % 4;
         if (data[3] == 255) {
             bytes.resize(place);
