@@ -142,7 +142,7 @@ class BoxFiller {
         std::fill(plain.begin(), plain.begin() + plan_.shaped_channels, nullptr);
         const bool wanted =
             std::ranges::any_of(plain, [](const float* channel) { return channel != nullptr; });
-        if (wanted) plan_.shape().fill(box_, plain);
+        if (wanted) plan_.fill_shape(box_, plain);
     }
 
     void fill_chunk(const VoxelBox& chunk, const std::vector<ColumnBound>& bounds) {
@@ -207,7 +207,7 @@ class BoxFiller {
             made_[c].resize(count);
             targets[c] = made_[c].data();
         }
-        plan_.shape().fill(part, targets);
+        plan_.fill_shape(part, targets);
         for (std::size_t c = 0; c < shaped_channels(); ++c) {
             if (channels_[c] != nullptr) shape(part, c);
         }
@@ -242,7 +242,7 @@ class BoxFiller {
         const auto width = static_cast<std::size_t>(cut.size[0]);
         if (plan_.detail) {
             detail_.resize(static_cast<std::size_t>(cut.count()));
-            plan_.detail->fill(cut, {detail_.data()});
+            plan_.fill_detail(cut, detail_.data());
         }
         float* row = values.data() + run.first;
         const float* detail = detail_.data();

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "bakers/math/memory.h"
 #include "bakers/math/transcendental.h"
 #include "bakers/noise/noise_bounds.h"
 
@@ -80,6 +81,50 @@ void plan_shape(const Cloud& cloud, const Noise* detail, CloudMaps maps, CloudPl
         plan.inverse_softness = static_cast<float>(1 / cloud.edge_softness);
     }
     if (cloud.full_at) plan.inverse_full = static_cast<float>(1 / *cloud.full_at);
+}
+
+// Fills a box of `width` or fewer columns with the noise of its voxels' heads, slice by slice, each in
+// two parts where the tile's edge lies between its heads.
+void fill_fallen(const CloudPlan& plan, const noise::NoiseField& noise, const VoxelBox& box,
+                 const std::vector<float*>& channels) {
+    if (plan.fall.empty()) return noise.fill(box, channels);
+    const auto width = static_cast<std::size_t>(box.size[0]);
+    const auto rows = static_cast<std::size_t>(box.size[1]);
+    AlignedFloats values;
+    for (int z = 0; z < box.size[2]; ++z) {
+        for (int x = 0, count = 0; x < box.size[0]; x += count) {
+            const noise::Voxel head =
+                plan.head_of({box.origin[0] + x, box.origin[1], box.origin[2] + z});
+            const int first = static_cast<int>(head[0] % plan.size[0]);
+            count = std::min(box.size[0] - x, plan.size[0] - first);
+            const VoxelBox part{{first, box.origin[1], plan.size[2] - 1}, {count, box.size[1], 1}};
+            const auto columns = static_cast<std::size_t>(count);
+            values.resize(channels.size() * columns * rows);
+            std::vector<float*> targets(channels.size(), nullptr);
+            for (std::size_t c = 0; c < channels.size(); ++c) {
+                if (channels[c] != nullptr) targets[c] = &values[c * columns * rows];
+            }
+            noise.fill(part, targets);
+            for (std::size_t c = 0; c < channels.size(); ++c) {
+                for (std::size_t y = 0; channels[c] != nullptr && y < rows; ++y) {
+                    std::copy_n(targets[c] + y * columns, columns,
+                                channels[c] + (static_cast<std::size_t>(z) * rows + y) * width +
+                                    static_cast<std::size_t>(x));
+                }
+            }
+        }
+    }
+}
+
+std::vector<int> fall_of(const Cloud& cloud, const std::array<int, 3>& size) {
+    std::vector<int> fall;
+    if (cloud.streaks.meters == 0) return fall;
+    const double voxels = cloud.streaks.meters / cloud.extent[0].meters * size[0];
+    for (int z = 0; z < size[2]; ++z) {
+        const double below = 1 - (z + 0.5) / size[2];
+        fall.push_back(static_cast<int>(std::llround(voxels * below * below) % size[0]));
+    }
+    return fall;
 }
 
 using config::HeightPoint;
@@ -159,9 +204,18 @@ double mixed(double a, double b, double fraction) { return a + (b - a) * fractio
 
 }  // namespace
 
-const VoxelSource& CloudPlan::shape() const {
-    if (volume) return *volume;
-    return *base;
+noise::Voxel CloudPlan::head_of(const noise::Voxel& voxel) const {
+    if (fall.empty()) return voxel;
+    return {voxel[0] + fall[static_cast<std::size_t>(voxel[2])], voxel[1], size[2] - 1};
+}
+
+void CloudPlan::fill_shape(const VoxelBox& box, const std::vector<float*>& channels) const {
+    if (volume) return volume->fill(box, channels);
+    fill_fallen(*this, *base, box, channels);
+}
+
+void CloudPlan::fill_detail(const VoxelBox& box, float* values) const {
+    fill_fallen(*this, *detail, box, {values});
 }
 
 Noise cloud_noise(const Noise& noise, const std::array<int, 3>& scale, CloudChannels channels) {
@@ -185,6 +239,7 @@ CloudPlan make_cloud_plan(const Cloud& cloud, const Noise& base, const Noise* de
     CloudPlan plan;
     plan.size = size;
     plan.base = std::make_shared<const noise::NoiseField>(noise::make_noise_plan(shape, size));
+    plan.fall = fall_of(cloud, size);
     plan.channels = plan.base->plan().output_channels();
     plan.shaped_channels = std::min(plan.channels, kShapedChannels);
     plan.noise_bound = bound_of(shape, plan.shaped_channels);

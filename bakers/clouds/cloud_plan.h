@@ -5,6 +5,10 @@
 // At a voxel, n is the base noise or, in a cloud of a volume, the volume's density, for which P is 1; d the detail noise clamped to [0, 1], and h the height in [0,
 // 1]:
 //
+//   With streaks n and d are those of the voxel (x + fall(h), y) of the topmost slice, where the fall is
+//   streaks (1 - h)^2 in whole voxels: the way of what falls evenly through wind that grows with height
+//   (Marshall 1953).
+//
 //   b = n max(0, P(h) + T) + (c - 1)       profile, Gaussian towers, coverage; Olajos 2016
 //                                          where c = 1
 //
@@ -78,6 +82,7 @@ struct CloudPlan {
     std::shared_ptr<const ResampledVolume> volume;
     std::shared_ptr<const noise::NoiseField> detail;  // null: none
     std::vector<SliceShape> slices;                   // one per z
+    std::vector<int> fall;  // of each slice, in voxels along x; empty: nothing falls
     TowerField towers;
     double coverage = 1;
     std::optional<MapLookup> coverage_map;
@@ -90,8 +95,11 @@ struct CloudPlan {
     int shaped_channels = 1;  // how many first channels are shaped; the others are plain noise
     float noise_bound = 0;    // upper bound of the base noise of shaped channels, as a float
 
-    // Returns the source of n, with all its channels.
-    const VoxelSource& shape() const;
+    // Fills a box with n, in all its channels, and with d.
+    void fill_shape(const VoxelBox& box, const std::vector<float*>& channels) const;
+    void fill_detail(const VoxelBox& box, float* values) const;
+    // Returns the voxel whose noise a voxel has; x may lie outside the tile.
+    noise::Voxel head_of(const noise::Voxel& voxel) const;
     // Returns true only if the cloud is known to be empty in a box, besides what noise_bound says.
     bool is_empty(const VoxelBox& box) const { return volume && volume->is_empty(box); }
 

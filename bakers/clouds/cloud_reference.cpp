@@ -171,22 +171,31 @@ double height_profile_reference(const config::HeightProfile& profile, double h) 
 }
 
 CloudReference::CloudReference(const Cloud& cloud, const Noise& base, const Noise* detail,
-                               CloudMaps maps)
-    : CloudReference(cloud, detail, std::move(maps)) {
+                               const std::array<int, 3>& size, CloudMaps maps)
+    : CloudReference(cloud, detail, size, std::move(maps)) {
     base_ = cloud_noise(base, cloud.noise_scale, cloud.channels);
 }
 
 CloudReference::CloudReference(const Cloud& cloud, const CloudVolume& volume, const Noise* detail,
                                const std::array<int, 3>& size, CloudMaps maps)
-    : CloudReference(cloud, detail, std::move(maps)) {
+    : CloudReference(cloud, detail, size, std::move(maps)) {
     volume_.emplace(volume, size);
 }
 
-CloudReference::CloudReference(const Cloud& cloud, const Noise* detail, CloudMaps maps)
-    : cloud_(cloud), towers_(living_towers(cloud)), maps_(std::move(maps)) {
+CloudReference::CloudReference(const Cloud& cloud, const Noise* detail,
+                               const std::array<int, 3>& size, CloudMaps maps)
+    : cloud_(cloud), size_(size), towers_(living_towers(cloud)), maps_(std::move(maps)) {
     if (detail != nullptr) {
         detail_ = cloud_noise(*detail, cloud.detail_scale, config::CloudChannels::density);
     }
+}
+
+// The place of the head from which ice has fallen to a place, in whole voxels.
+std::array<double, 3> CloudReference::noise_place(const std::array<double, 3>& place) const {
+    const double streaks = cloud_.streaks.meters / cloud_.extent[0].meters;
+    if (streaks == 0) return place;
+    const double trailed = std::round(streaks * size_[0] * (1 - place[2]) * (1 - place[2]));
+    return {place[0] + trailed / size_[0], place[1], 1 - 0.5 / size_[2]};
 }
 
 double CloudReference::profile_at(double x, double y, double h) const {
@@ -205,7 +214,7 @@ double CloudReference::shaped(const std::array<double, 3>& place, double base_no
     if (base <= (in_file ? cloud_.threshold : 0)) return 0;
     double value = base;
     if (detail_) {
-        const double d = std::clamp(noise::noise_reference(*detail_, place)[0], 0.0, 1.0);
+        const double d = std::clamp(noise::noise_reference(*detail_, noise_place(place))[0], 0.0, 1.0);
         const double billow = h < cloud_.wisp_height ? h / cloud_.wisp_height : 1;
         const double erosion =
             std::lerp(cloud_.erosion[0], cloud_.erosion[1], h) * std::lerp(d, 1 - d, billow);
@@ -227,7 +236,8 @@ bool CloudReference::is_expensive() const {
 
 std::vector<double> CloudReference::operator()(const std::array<double, 3>& place) const {
     std::vector<double> values =
-        base_ ? noise::noise_reference(*base_, place) : std::vector<double>{(*volume_)(place)};
+        base_ ? noise::noise_reference(*base_, noise_place(place))
+              : std::vector<double>{(*volume_)(place)};
     const std::size_t shaped_channels = std::min<std::size_t>(values.size(), 2);
     for (std::size_t i = 0; i < shaped_channels; ++i) values[i] = shaped(place, values[i]);
     return values;

@@ -22,9 +22,10 @@ double height_profile_reference(const config::HeightProfile& profile, double h);
 class CloudReference {
   public:
     // The arguments are those of make_cloud_plan, with the noises as the recipe defines them.
-    CloudReference(const Cloud& cloud, const Noise& base, const Noise* detail, CloudMaps maps);
+    CloudReference(const Cloud& cloud, const Noise& base, const Noise* detail,
+                   const std::array<int, 3>& size, CloudMaps maps);
 
-    // Makes the reference of a volume's cloud, at the size of its voxels.
+    // Makes the reference of a volume's cloud.
     CloudReference(const Cloud& cloud, const CloudVolume& volume, const Noise* detail,
                    const std::array<int, 3>& size, CloudMaps maps);
 
@@ -35,11 +36,14 @@ class CloudReference {
     std::vector<double> operator()(const std::array<double, 3>& place) const;
 
   private:
-    CloudReference(const Cloud& cloud, const Noise* detail, CloudMaps maps);
+    CloudReference(const Cloud& cloud, const Noise* detail, const std::array<int, 3>& size,
+                   CloudMaps maps);
+    std::array<double, 3> noise_place(const std::array<double, 3>& place) const;
     double profile_at(double x, double y, double h) const;
     double shaped(const std::array<double, 3>& place, double base_noise) const;
 
     Cloud cloud_;
+    std::array<int, 3> size_;
     std::vector<config::Tower> towers_;
     std::optional<Noise> base_;  // none: `volume_` is in its place
     std::optional<VolumeReference> volume_;

@@ -29,7 +29,7 @@ std::array<int, 3> within_tile(const CloudPlan& plan, const noise::Voxel& voxel)
 
 // n, in all channels. A voxel outside the tile has that of its image within.
 std::vector<float> shape_at(const CloudPlan& plan, const noise::Voxel& voxel) {
-    if (!plan.volume) return noise_at(plan.base->plan(), voxel);
+    if (!plan.volume) return noise_at(plan.base->plan(), plan.head_of(voxel));
     std::vector<float> value(1);
     plan.volume->fill({within_tile(plan, voxel), {1, 1, 1}}, {value.data()});
     return value;
@@ -61,7 +61,7 @@ std::vector<float> cloud_at(const CloudPlan& plan, const noise::Voxel& voxel) {
         make_columns(plan, static_cast<int>(voxel[0]), 1, static_cast<int>(voxel[1]), 1);
     const SliceShape& slice = plan.slices[static_cast<std::size_t>(voxel[2])];
     std::vector<float> values = shape_at(plan, voxel);
-    const float detail = plan.detail ? noise_at(plan.detail->plan(), voxel)[0] : 0.0f;
+    const float detail = plan.detail ? noise_at(plan.detail->plan(), plan.head_of(voxel))[0] : 0.0f;
     for (int i = 0; i < plan.shaped_channels; ++i) {
         float& value = values[static_cast<std::size_t>(i)];
         value = shaped(plan, slice, column, value, detail);

@@ -122,7 +122,7 @@ class CoverSearch {
             field.fill(box, channels);
             if (*std::ranges::max_element(values) <= 0) continue;
             details.assign(values.size(), 0);
-            if (plan_.detail) plan_.detail->fill(box, {details.data()});
+            if (plan_.detail) plan_.fill_detail(box, details.data());
             const std::size_t slice = width_ * static_cast<std::size_t>(rows);
             for (std::size_t i = 0; i < values.size(); ++i) {
                 if (!(values[i] > 0)) continue;

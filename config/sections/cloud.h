@@ -116,6 +116,7 @@ struct Cloud {
     std::array<int, 3> noise_scale{1, 1, 1};  // multiplies the frequencies along x, y, z
     std::string detail;                       // NAME of the [noise.NAME] that erodes; empty: none
     std::array<int, 3> detail_scale{1, 1, 1};
+    Length streaks;  // how far what falls has trailed at the base, along x; 0: nothing falls
     std::array<double, 2> erosion{};  // strength at the base and at the top
     double wisp_height = 0;           // below this height the erosion turns from wisps to billows
     std::array<Length, 3> extent;     // along x, y and height

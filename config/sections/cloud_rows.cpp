@@ -100,6 +100,7 @@ std::span<const CloudMapField> type_map_fields() { return type_map_table; }
 namespace {
 
 constexpr Range scale_range{1, 1024};
+constexpr Range streaks_range{0, 1e6};
 constexpr Range erosion_range{0, 0.95};  // at 1 the remap that erodes would divide by 0
 constexpr Range extent_range{1e-3, 1e8};
 constexpr Range voxel_range{1, 16384};
@@ -140,6 +141,8 @@ constexpr std::string_view brenguier_2000 =
     "Brenguier et al. 2000, Radiative Properties of Boundary Layer Clouds: Droplet Effective "
     "Radius "
     "versus Number Concentration";
+constexpr std::string_view marshall_1953 =
+    "Marshall 1953, Precipitation trajectories and patterns";
 constexpr std::string_view key_2002 =
     "Key, Yang, Baum & Nasiri 2002, Parameterization of shortwave ice cloud optical properties for "
     "various particle habits";
@@ -170,6 +173,12 @@ const CloudField cloud_table[] = {
     {"detail_scale", Kind::frequency, &Cloud::detail_scale,
      "repeats of the detail noise across the cloud (x, y, z)", scale_range, Default{"[1, 1, 1]"},
      Needs{"detail"}},
+    {"streaks", Kind::length, &Cloud::streaks,
+     "how far streaks of what falls trail at the base, along x, behind their heads at the top: all "
+     "noises are those of the top, drawn out along parabolas",
+     streaks_range, Default{R"("0 m")"},
+     Hint{"ice that falls 1.5 km at 1 m/s through a shear of 5 m/s per km trails by 5.6 km"},
+     Exclusive{"source", "noise"}, Cited{marshall_1953}},
     {"erosion", Kind::pair, &Cloud::erosion,
      "how strongly detail erodes, at the base and at the top", erosion_range,
      Default{"[0.2, 0.35]"},

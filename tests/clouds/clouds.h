@@ -148,6 +148,7 @@ inline CloudCase any_cloud() {
     if (cloud.threshold_at == config::ThresholdAt::bake) {
         cloud.water = any_choice<config::CloudWater>(2);
     }
+    if (*rc::gen::arbitrary<bool>()) cloud.streaks = {any_number(0, 4000)};
     cloud.channels = any_choice<config::CloudChannels>(2);
     const int towers = *rc::gen::inRange(0, 4);
     for (int i = 0; i < towers; ++i) cloud.towers.push_back(any_tower());

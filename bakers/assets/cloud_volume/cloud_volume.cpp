@@ -193,7 +193,7 @@ cloud::CloudReference reference_of_cloud(const Cloud& asked, const CloudInputs& 
                                          const std::array<int, 3>& size) {
     const Cloud cloud = with_coverage(asked, inputs);
     if (inputs.volume) return {cloud, *inputs.volume, inputs.detail, size, inputs.maps};
-    return {cloud, *inputs.base, inputs.detail, inputs.maps};
+    return {cloud, *inputs.base, inputs.detail, size, inputs.maps};
 }
 
 float filtered_threshold(const Cloud& cloud) {
