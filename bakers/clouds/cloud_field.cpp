@@ -273,11 +273,23 @@ CloudField::CloudField(CloudPlan plan) : plan_(std::move(plan)) {
 }
 
 void CloudField::fill(const VoxelBox& box, const std::vector<float*>& channels) const {
-    BoxFiller(plan_, columns_, box, channels).fill();
+    if (!plan_.flow) return BoxFiller(plan_, columns_, box, channels).fill();
+    std::vector<float*> wanted = channels;
+    AlignedFloats density;
+    if (wanted.front() == nullptr) {
+        density.resize(static_cast<std::size_t>(box.count()));
+        wanted.front() = density.data();
+    }
+    BoxFiller(plan_, columns_, box, wanted).fill();
+    for (std::size_t c = 1; c < wanted.size(); ++c) {
+        for (std::int64_t i = 0; wanted[c] != nullptr && i < box.count(); ++i) {
+            if (!(wanted.front()[i] > 0)) wanted[c][i] = 0;
+        }
+    }
 }
 
 bool CloudField::is_empty(const VoxelBox& box) const {
-    if (plan_.channels > plan_.shaped_channels) return false;
+    if (plan_.channels > plan_.shaped_channels && !plan_.flow) return false;
     if (plan_.is_empty(box)) return true;
     const auto [x, y, z] = box.origin;
     const auto [width, rows, depth] = box.size;

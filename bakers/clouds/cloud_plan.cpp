@@ -93,7 +93,7 @@ void fill_fallen(const CloudPlan& plan, const noise::NoiseField& noise, const Vo
     AlignedFloats values;
     for (int z = 0; z < box.size[2]; ++z) {
         for (int x = 0, count = 0; x < box.size[0]; x += count) {
-            const noise::Voxel head =
+            const std::array<std::int64_t, 3> head =
                 plan.head_of({box.origin[0] + x, box.origin[1], box.origin[2] + z});
             const int first = static_cast<int>(head[0] % plan.size[0]);
             count = std::min(box.size[0] - x, plan.size[0] - first);
@@ -204,13 +204,17 @@ double mixed(double a, double b, double fraction) { return a + (b - a) * fractio
 
 }  // namespace
 
-noise::Voxel CloudPlan::head_of(const noise::Voxel& voxel) const {
+std::array<std::int64_t, 3> CloudPlan::head_of(const std::array<std::int64_t, 3>& voxel) const {
     if (fall.empty()) return voxel;
     return {voxel[0] + fall[static_cast<std::size_t>(voxel[2])], voxel[1], size[2] - 1};
 }
 
 void CloudPlan::fill_shape(const VoxelBox& box, const std::vector<float*>& channels) const {
-    if (volume) return volume->fill(box, channels);
+    if (volume) {
+        if (channels.front() != nullptr) volume->fill(box, {channels.front()});
+        if (flow) flow->fill(box, {channels.begin() + 1, channels.end()});
+        return;
+    }
     fill_fallen(*this, *base, box, channels);
 }
 
@@ -254,6 +258,10 @@ CloudPlan make_cloud_plan(const Cloud& cloud, const CloudVolume& volume, const N
     plan.size = size;
     plan.volume = std::make_shared<const ResampledVolume>(volume, size);
     plan.noise_bound = with_room(double{plan.volume->largest()});
+    if (volume.flow) {
+        plan.flow = std::make_shared<const FlowField>(volume.flow, size);
+        plan.channels = 4;
+    }
     plan_shape(cloud, detail, std::move(maps), plan);
     return plan;
 }

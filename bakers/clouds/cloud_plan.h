@@ -21,6 +21,8 @@
 //                                          threshold_at = "bake"; without full_at v in place of the
 //                                          minimum; threshold_at = "runtime": v itself
 //
+// Velocities are those of flow_field.h where the density is not 0, and 0 elsewhere.
+//
 // The density is 0 where b <= t (b <= 0 for threshold_at = "runtime"): erosion only removes.
 //
 // b is remap(x, 1 - c, 1, 0, 1) c with x = n (P + T) (Schneider 2017, Nubis), multiplied out: it
@@ -29,10 +31,12 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
 
+#include "bakers/clouds/flow_field.h"
 #include "bakers/clouds/resampled_volume.h"
 #include "bakers/clouds/tower_field.h"
 #include "bakers/field/image.h"
@@ -80,6 +84,7 @@ struct CloudPlan {
     std::array<int, 3> size{};
     std::shared_ptr<const noise::NoiseField> base;  // null: `volume` is in its place
     std::shared_ptr<const ResampledVolume> volume;
+    std::shared_ptr<const FlowField> flow;  // of the plain channels of a cloud that grows; null: none
     std::shared_ptr<const noise::NoiseField> detail;  // null: none
     std::vector<SliceShape> slices;                   // one per z
     std::vector<int> fall;  // of each slice, in voxels along x; empty: nothing falls
@@ -99,7 +104,7 @@ struct CloudPlan {
     void fill_shape(const VoxelBox& box, const std::vector<float*>& channels) const;
     void fill_detail(const VoxelBox& box, float* values) const;
     // Returns the voxel whose noise a voxel has; x may lie outside the tile.
-    noise::Voxel head_of(const noise::Voxel& voxel) const;
+    std::array<std::int64_t, 3> head_of(const std::array<std::int64_t, 3>& voxel) const;
     // Returns true only if the cloud is known to be empty in a box, besides what noise_bound says.
     bool is_empty(const VoxelBox& box) const { return volume && volume->is_empty(box); }
 

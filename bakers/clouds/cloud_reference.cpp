@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "bakers/clouds/flow_field.h"
 #include "bakers/clouds/resampled_volume.h"
 #include "bakers/clouds/tower_field.h"
 #include "bakers/math/transcendental.h"
@@ -180,6 +181,7 @@ CloudReference::CloudReference(const Cloud& cloud, const CloudVolume& volume, co
                                const std::array<int, 3>& size, CloudMaps maps)
     : CloudReference(cloud, detail, size, std::move(maps)) {
     volume_.emplace(volume, size);
+    flow_ = volume.flow;
 }
 
 CloudReference::CloudReference(const Cloud& cloud, const Noise* detail,
@@ -240,6 +242,10 @@ std::vector<double> CloudReference::operator()(const std::array<double, 3>& plac
               : std::vector<double>{(*volume_)(place)};
     const std::size_t shaped_channels = std::min<std::size_t>(values.size(), 2);
     for (std::size_t i = 0; i < shaped_channels; ++i) values[i] = shaped(place, values[i]);
+    if (!flow_) return values;
+    for (const double velocity : flow_reference(*flow_, place)) {
+        values.push_back(values.front() > 0 ? velocity : 0);
+    }
     return values;
 }
 

@@ -47,6 +47,7 @@ class CloudReference {
     std::vector<config::Tower> towers_;
     std::optional<Noise> base_;  // none: `volume_` is in its place
     std::optional<VolumeReference> volume_;
+    std::shared_ptr<const convection::GrownCloud> flow_;
     std::optional<Noise> detail_;
     CloudMaps maps_;
 };

@@ -30,9 +30,11 @@ std::array<int, 3> within_tile(const CloudPlan& plan, const noise::Voxel& voxel)
 // n, in all channels. A voxel outside the tile has that of its image within.
 std::vector<float> shape_at(const CloudPlan& plan, const noise::Voxel& voxel) {
     if (!plan.volume) return noise_at(plan.base->plan(), plan.head_of(voxel));
-    std::vector<float> value(1);
-    plan.volume->fill({within_tile(plan, voxel), {1, 1, 1}}, {value.data()});
-    return value;
+    std::vector<float> values(static_cast<std::size_t>(plan.channels));
+    std::vector<float*> channels;
+    for (float& value : values) channels.push_back(&value);
+    plan.fill_shape({within_tile(plan, voxel), {1, 1, 1}}, channels);
+    return values;
 }
 
 float shaped(const CloudPlan& plan, const SliceShape& slice, const Columns& column, float noise,
@@ -66,6 +68,7 @@ std::vector<float> cloud_at(const CloudPlan& plan, const noise::Voxel& voxel) {
         float& value = values[static_cast<std::size_t>(i)];
         value = shaped(plan, slice, column, value, detail);
     }
+    if (plan.flow && !(values.front() > 0)) values.assign(values.size(), 0.0f);
     return values;
 }
 

@@ -277,6 +277,7 @@ CloudVolume volume_of_grown(const std::shared_ptr<const convection::GrownCloud>&
                                                         relief_of(cloud, detail, source.size));
     source.largest = 1;
     volume.wrap = config::VolumeWrap::repeat;
+    if (!grown->velocity.empty()) volume.flow = grown;
     return volume;
 }
 

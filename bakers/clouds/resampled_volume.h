@@ -13,8 +13,10 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <vector>
 
+#include "bakers/convection/convection.h"
 #include "bakers/field/level.h"
 #include "bakers/field/source_voxels.h"
 #include "config/sections/volume.h"
@@ -25,6 +27,7 @@ namespace skybake::cloud {
 struct CloudVolume {
     SourceVoxels source;
     config::VolumeWrap wrap = config::VolumeWrap::empty;  // along x and y; along z it is empty
+    std::shared_ptr<const convection::GrownCloud> flow;   // null: it tells no velocity
 };
 
 // The voxels of the source that one voxel of the result takes along an axis, from `first` on.

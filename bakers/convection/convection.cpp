@@ -21,12 +21,12 @@ double cells_of(const Specification& wanted) {
 // Names all members: it is not compiled until one that is added is named, too.
 std::string text_of(const Specification& wanted) {
     const auto& [grid, mixed, sponge, base, temperature, instability, inversion, humidity, wind,
-                 top, patches, width, warmth, seed, growth, loop] = wanted;
+                 top, patches, width, warmth, seed, growth, loop, velocity] = wanted;
     const auto& [cells, edges] = grid;
-    return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}", fmt::join(cells, " "),
+    return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}", fmt::join(cells, " "),
                        fmt::join(edges, " "), mixed, sponge, base, temperature, instability,
                        inversion, humidity, fmt::join(wind, " "), fmt::join(top, " "), patches,
-                       fmt::join(width, " "), warmth, seed, growth, loop);
+                       fmt::join(width, " "), warmth, seed, growth, loop, velocity);
 }
 
 // The moments of a loop are so close that air at this speed passes no more than a cell from one to the next.
@@ -44,12 +44,15 @@ std::size_t cloudy_cells(const Specification& wanted) {
            static_cast<std::size_t>(z - wanted.mixed_levels - wanted.sponge_levels);
 }
 
-// The water of a flow as it goes on.
+// Numbers of a cell that are kept: its water, and the velocity along three axes.
+std::size_t kept_fields(const Specification& wanted) { return wanted.keeps_velocity ? 4 : 1; }
+
+// The water of a flow as it goes on, with its velocity.
 class Growth {
   public:
     Growth(const Specification& wanted, const BakeOptions& options)
         : wanted_(wanted), options_(options), flow_(wanted, options.threads) {
-        if (wanted.loop_s > 0) now_ = water();
+        if (wanted.loop_s > 0) now_ = fields();
     }
 
     // Goes on until `until_s` is reached, by steps that may pass it, but not `end_s`. Returns false after an
@@ -60,7 +63,7 @@ class Growth {
             before_s_ = flow_.time_s();
             flow_.step(end_s);
             std::swap(before_, now_);
-            if (wanted_.loop_s > 0 || flow_.time_s() >= end_s) now_ = water();
+            if (wanted_.loop_s > 0 || flow_.time_s() >= end_s) now_ = fields();
             if (options_.progress == nullptr) continue;
             options_.progress->advance("growing the cloud",
                                        flow_.time_s() / (wanted_.growth_s + wanted_.loop_s));
@@ -68,7 +71,7 @@ class Growth {
         return true;
     }
 
-    // Adds the share `weight` of the water at a time within the last step.
+    // Adds the share `weight` of the fields at a time within the last step.
     void add_to(float* out, double time_s, float weight) const {
         const double share = (time_s - before_s_) / (flow_.time_s() - before_s_);
         const auto later = static_cast<float>(share);
@@ -79,15 +82,20 @@ class Growth {
     }
 
   private:
-    std::vector<float> water() const {
+    std::vector<float> fields() const {
         const int rows = wanted_.grid.cells[1];
         const auto row = static_cast<std::size_t>(wanted_.grid.cells[0]);
         const std::size_t plane = row * static_cast<std::size_t>(rows);
-        std::vector<float> made(cloudy_cells(wanted_));
-        parallel_for(static_cast<int>(made.size() / plane), options_.threads, [&](int level) {
+        const std::size_t cells = cloudy_cells(wanted_);
+        std::vector<float> made(kept_fields(wanted_) * cells);
+        parallel_for(static_cast<int>(cells / plane), options_.threads, [&](int level) {
+            const int z = level + wanted_.mixed_levels;
             float* out = made.data() + static_cast<std::size_t>(level) * plane;
             for (int y = 0; y < rows; ++y, out += row) {
-                flow_.condensed_row(y, level + wanted_.mixed_levels, out);
+                flow_.condensed_row(y, z, out);
+                for (std::size_t field = 1; field < kept_fields(wanted_); ++field) {
+                    flow_.velocity_row(field - 1, y, z, out + field * cells);
+                }
             }
         });
         return made;
@@ -101,10 +109,10 @@ class Growth {
 };
 
 // Returns the moments of the loop, one after the other; none after an interruption.
-std::vector<float> grown_water(const Specification& wanted, const BakeOptions& options) {
+std::vector<float> grown_fields(const Specification& wanted, const BakeOptions& options) {
     const int moments = moments_of(wanted);
-    const std::size_t cells = cloudy_cells(wanted);
-    std::vector<float> water(static_cast<std::size_t>(moments) * cells);
+    const std::size_t size = kept_fields(wanted) * cloudy_cells(wanted);
+    std::vector<float> fields(static_cast<std::size_t>(moments) * size);
     Growth growth(wanted, options);
     // The times of the loop before come first: of all moments but the first one, which takes nothing of it.
     for (int i = 1 - moments; i < moments; ++i) {
@@ -114,10 +122,24 @@ std::vector<float> grown_water(const Specification& wanted, const BakeOptions& o
         const int moment = i < 0 ? i + moments : i;
         const double share = double{1} * moment / moments;
         const double before = share * share * (3 - 2 * share);
-        growth.add_to(water.data() + static_cast<std::size_t>(moment) * cells, time_s,
+        growth.add_to(fields.data() + static_cast<std::size_t>(moment) * size, time_s,
                       static_cast<float>(i < 0 ? before : 1 - before));
     }
-    return water;
+    return fields;
+}
+
+// Parts the moments of all fields.
+void take_fields(std::vector<float> fields, std::size_t cells, GrownCloud& cloud) {
+    if (fields.size() == cells * static_cast<std::size_t>(cloud.moments)) {
+        cloud.water = std::move(fields);
+        return;
+    }
+    const auto size = static_cast<std::ptrdiff_t>(fields.size()) / cloud.moments;
+    for (auto moment = fields.begin(); moment != fields.end(); moment += size) {
+        const auto velocity = moment + static_cast<std::ptrdiff_t>(cells);
+        cloud.water.insert(cloud.water.end(), moment, velocity);
+        cloud.velocity.insert(cloud.velocity.end(), velocity, moment + size);
+    }
 }
 
 }  // namespace
@@ -148,6 +170,7 @@ Specification specification_of(const Cloud& cloud) {
     wanted.seed = convection.seed;
     wanted.growth_s = 60 * convection.minutes;
     wanted.loop_s = config::cloud_moves(cloud) ? 60 * convection.loop_minutes : 0;
+    wanted.keeps_velocity = cloud.channels == config::CloudChannels::velocity;
     return wanted;
 }
 
@@ -158,25 +181,34 @@ std::shared_ptr<const GrownCloud> grow(const Specification& wanted, const BakeOp
     cloud->cells[2] -= wanted.mixed_levels + wanted.sponge_levels;
     cloud->full_water = make_sounding(wanted).adiabatic_water;
     cloud->moments = moments_of(wanted);
-    cloud->water =
-        kept_or_made<float>(kept, {"convection", kGrowthVersion, text_of(wanted)},
-                            cloudy_cells(wanted) * static_cast<std::size_t>(cloud->moments),
-                            [&] { return grown_water(wanted, options); });
+    const std::size_t cells = cloudy_cells(wanted);
+    take_fields(kept_or_made<float>(
+                    kept, {"convection", kGrowthVersion, text_of(wanted)},
+                    kept_fields(wanted) * cells * static_cast<std::size_t>(cloud->moments),
+                    [&] { return grown_fields(wanted, options); }),
+                cells, *cloud);
     return cloud->water.empty() ? nullptr : cloud;
 }
 
 std::shared_ptr<const GrownCloud> at_share(const std::shared_ptr<const GrownCloud>& cloud,
                                            double share) {
     if (cloud->moments == 1) return cloud;
-    auto made = std::make_shared<GrownCloud>(GrownCloud{cloud->cells, 1, {}, cloud->full_water});
-    const auto cells = static_cast<std::ptrdiff_t>(cloud->water.size()) / cloud->moments;
+    auto made =
+        std::make_shared<GrownCloud>(GrownCloud{cloud->cells, 1, {}, {}, cloud->full_water});
     const double at = (share - std::floor(share)) * cloud->moments;
     const int moment = std::min(static_cast<int>(at), cloud->moments - 1);
-    const auto from = cloud->water.begin() + moment * cells;
-    const auto to = cloud->water.begin() + (moment + 1) % cloud->moments * cells;
     const auto later = static_cast<float>(at - moment);
-    std::transform(from, from + cells, to, std::back_inserter(made->water),
-                   [later](float a, float b) { return a + later * (b - a); });
+    const auto between = [&](const std::vector<float>& moments) {
+        const auto size = static_cast<std::ptrdiff_t>(moments.size()) / cloud->moments;
+        const auto from = moments.begin() + moment * size;
+        const auto to = moments.begin() + (moment + 1) % cloud->moments * size;
+        std::vector<float> values;
+        std::transform(from, from + size, to, std::back_inserter(values),
+                       [later](float a, float b) { return a + later * (b - a); });
+        return values;
+    };
+    made->water = between(cloud->water);
+    made->velocity = between(cloud->velocity);
     return made;
 }
 
@@ -189,7 +221,8 @@ double seconds_to_grow(const Specification& wanted) {
 }
 
 double bytes_of_grown(const Specification& wanted) {
-    return sizeof(float) * static_cast<double>(cloudy_cells(wanted)) * moments_of(wanted);
+    return sizeof(float) * static_cast<double>(kept_fields(wanted) * cloudy_cells(wanted)) *
+           moments_of(wanted);
 }
 
 double bytes_to_grow(const Specification& wanted) {

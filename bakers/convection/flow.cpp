@@ -161,6 +161,16 @@ void Flow::condensed_row(int y, int z, float* out) const {
               sounding_.levels[static_cast<std::size_t>(z)], out);
 }
 
+void Flow::velocity_row(std::size_t axis, int y, int z, float* out) const {
+    const Field& velocity = now_.velocity[axis];
+    const float* lower = velocity.row(y, z);
+    const float* upper = velocity.row(axis == 1 ? y + 1 : y, axis == 2 ? z + 1 : z);
+    const int cells = wanted_.grid.cells[0];
+    for (int x = 0; x < cells; ++x) {
+        out[x] = (lower[x] + upper[axis == 0 ? (x + 1) % cells : x]) / 2;
+    }
+}
+
 double Flow::longest_step() const {
     std::vector<float> most(static_cast<std::size_t>(wanted_.grid.cells[2]), 0.0F);
     const std::array<float, 3>& edge = wanted_.grid.edge_m;

@@ -60,6 +60,8 @@ class Flow {
     State& state() { return now_; }
     // The condensed water of a row in g/kg; below 0 it is what is lacking.
     void condensed_row(int y, int z, float* out) const;
+    // The velocity of a row along an axis in m/s, at the centres of cells.
+    void velocity_row(std::size_t axis, int y, int z, float* out) const;
 
   private:
     double longest_step() const;

@@ -31,6 +31,7 @@ struct Specification {
     std::uint64_t seed = 1;
     double growth_s = 1200;
     double loop_s = 0;  // for which the flow goes on, and returns; 0: it ends with the growth
+    bool keeps_velocity = false;
 
     bool operator==(const Specification&) const = default;
 };

@@ -171,12 +171,18 @@ struct CloudVolumeResolver {
         check_frames(bake, motions, decoder);
     }
 
-    std::size_t channels_of(const Cloud& cloud, std::span<const Noise> noises) const {
-        for (const Noise& noise : noises) {
-            if (noise.name == cloud.noise)
-                return cloud_channel_names(&noise, cloud.channels).size();
-        }
-        return 1;
+    static std::size_t channels_of(const Cloud& cloud, std::span<const Noise> noises) {
+        return cloud_channel_names(find_by_name<Noise>(noises, cloud.noise), cloud.channels).size();
+    }
+
+    // Velocities are below 0 too, and above 1.
+    void check_velocity(const Cloud& cloud) const {
+        const auto type = pixel_type_of(bake);
+        if (cloud.channels != CloudChannels::velocity || !type) return;
+        if (*type == PixelType::half || *type == PixelType::float32) return;
+        decoder.report("E0131", bake, "pixel_type", "cannot hold velocities",
+                       fmt::format("give half or float, or cloud `{}` other channels",
+                                   shorten(cloud.name)));
     }
 
     // Gives one warning for all narrow towers, which names the first of them.
@@ -213,6 +219,7 @@ void resolve_cloud_volume(DecodedSection& bake, const RecipeSoFar& recipe, Decod
     const auto size = std::get<VoxelCounts>(*bake.at("size").value);
     resolve_files(bake, size, Halving::down, decoder);
     if (!cloud) return;
+    resolver.check_velocity(*cloud);
     check_voxel_count(bake, size, resolver.channels_of(*cloud, noises), resolver.size_place(),
                       decoder);
     resolver.check_noises(*cloud, noises, size);

@@ -171,7 +171,7 @@ struct EnvironmentResolver {
     void check_cloud(const std::string& name) const {
         const CloudVolumeBake* volume = find_volume_named(bake, "clouds", name, recipe, decoder);
         const Cloud* cloud = volume ? find_cloud(*volume, recipe) : nullptr;
-        if (!cloud || cloud->channels == CloudChannels::density) return;
+        if (!cloud || cloud->channels != CloudChannels::noise) return;
         decoder.report("E0172", bake, "clouds", "needs volumes of densities",
                        fmt::format("`channels` of the cloud of `{}` are noise", shorten(name)));
     }

@@ -71,7 +71,9 @@ std::vector<std::string> channels_of(const CloudVolumeBake& volume, const Recipe
     const Cloud* cloud = find_cloud(volume, recipe);
     const Noise* noise =
         cloud ? find_by_name<Noise>(recipe.parameters.noises, cloud->noise) : nullptr;
-    if (!cloud || (!noise && cloud->volume.empty())) return {};
+    const bool is_known = cloud && (noise || !cloud->volume.empty() ||
+                                    cloud->shape == CloudShape::convection);
+    if (!is_known) return {};
     return cloud_channel_names(noise, cloud->channels);
 }
 

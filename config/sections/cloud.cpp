@@ -20,6 +20,7 @@ std::span<const NoiseChannel> used_channels(const Noise& noise, CloudChannels ch
 }
 
 std::vector<std::string> cloud_channel_names(const Noise* noise, CloudChannels channels) {
+    if (channels == CloudChannels::velocity) return {"Y", "velocity.x", "velocity.y", "velocity.z"};
     if (noise == nullptr || channels == CloudChannels::density) return {"Y"};
     return channel_names(*noise);
 }

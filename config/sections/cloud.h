@@ -104,7 +104,7 @@ enum class CloudParticles { droplets, ice };
 enum class CloudWater { even, rising };
 
 enum class ThresholdAt { bake, runtime };
-enum class CloudChannels { density, noise };
+enum class CloudChannels { density, noise, velocity };
 
 // This is one [clouds.NAME].
 struct Cloud {
@@ -150,8 +150,8 @@ bool cloud_moves(const Cloud& cloud);
 // noise packs or `channels` is noise, else the first one.
 std::span<const NoiseChannel> used_channels(const Noise& noise, CloudChannels channels);
 
-// Returns the names of a cloud volume's channels: {"Y"} for one channel, else the names of the
-// noise's channels. A cloud of a volume has no noise, and one channel.
+// Returns the names of a cloud volume's channels: {"Y"} for one channel, with velocity those of its three
+// axes too, else the names of the noise's channels. A cloud of a volume has no noise, and one channel.
 std::vector<std::string> cloud_channel_names(const Noise* noise, CloudChannels channels);
 
 }  // namespace skybake::config

@@ -132,6 +132,9 @@ constexpr Choice channels_choices[] = {
     {CloudChannels::density, "density", "one channel, the density"},
     {CloudChannels::noise, "noise",
      "the channels of the noise: R and G are shaped, B and A are plain"},
+    {CloudChannels::velocity, "velocity",
+     "the density of a cloud that grows, and where it is not 0 the velocity of its flow in m/s along "
+     "x, y and z, less the wind that carries the cloud"},
 };
 constexpr Choice shape_choices[] = {
     {CloudShape::convection, "convection",

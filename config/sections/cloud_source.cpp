@@ -41,6 +41,14 @@ void check_noise_keys(const DecodedSection& section, std::string_view source, co
     report_beside(source, channels.source->place, join_path(section.path, "channels"), decoder);
 }
 
+void check_velocity(const DecodedSection& section, Decoder& decoder) {
+    const DecodedField& channels = section.at("channels");
+    if (!channels.source || choice_of<CloudChannels>(channels) != CloudChannels::velocity) return;
+    if (section.at("shape").source != nullptr) return;
+    decoder.report("E0111", section, "channels", "is \"velocity\", which a cloud has that grows",
+                   "give shape = \"convection\", or leave it out");
+}
+
 void check_name(const DecodedField& volume, const std::string& path, Decoder& decoder) {
     const std::string* name = text_of(volume);
     if (!name || !name->empty()) return;
@@ -101,6 +109,7 @@ void resolve_cloud_source(DecodedSection& section, const Table& table, const Clo
         if (!is_of_volume && erosion.value) derive(erosion, std::array{0.0, 0.0});
         derive(section.at("edge_softness"), 0.0);
     }
+    check_velocity(section, decoder);
     const DecodedField& extent = section.at("extent");
     const auto is_given = [&](std::string_view key) { return section.at(key).source != nullptr; };
     const bool says_all = is_given("extent") && is_given("corner") && is_given("base_altitude");

@@ -51,8 +51,11 @@ std::vector<AxisMapping> axes_of(const Cloud& cloud) {
 std::string content_of(const Cloud& cloud) {
     const double extinction = cloud.extinction_scale.per_meter;
     if (cloud.threshold_at == config::ThresholdAt::bake) {
-        return fmt::format("cloud density, dimensionless; extinction is density * {} /m",
-                           extinction);
+        return fmt::format("cloud density, dimensionless; extinction is density * {} /m{}",
+                           extinction,
+                           cloud.channels == config::CloudChannels::velocity
+                               ? "; velocity of the flow in m/s"
+                               : "");
     }
     return fmt::format(
         "cloud value v before its threshold, dimensionless; density is v * smoothstep({}, {}, v), "
@@ -227,8 +230,9 @@ Outcome<Baked> bake_cloud_volume(const Cloud& cloud, const CloudVolumeBake& bake
     if (options.cancelled()) return {};
     volume.seam_error = seam_error(*field, bake.size);
     add_mip_levels(bake.mips, options, volume);
-    // Densities are shares of 1, and so is noise.
-    const std::vector<std::array<double, 2>> ranges(volume.channel_names.size(), {0, 1});
+    // Densities are shares of 1, and so is noise; velocities are at most some tens of m/s.
+    std::vector<std::array<double, 2>> ranges(volume.channel_names.size(), {0, 1});
+    if (field->plan().flow) std::fill(ranges.begin() + 1, ranges.end(), std::array{-50.0, 50.0});
     const auto reference =
         std::make_shared<CloudReference>(reference_of_cloud(cloud, inputs, bake.size));
     Outcome<Baked> finished = finish_volume(

@@ -29,7 +29,7 @@ Outcome<Baked> hold_source_volume(const Parameters& parameters, const std::strin
 }
 
 bool is_marched_as_stored(const Cloud& cloud) {
-    return cloud.channels == config::CloudChannels::density &&
+    return cloud.channels != config::CloudChannels::noise &&
            cloud.threshold_at == config::ThresholdAt::bake;
 }
 
