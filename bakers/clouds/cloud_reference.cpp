@@ -243,8 +243,11 @@ std::vector<double> CloudReference::operator()(const std::array<double, 3>& plac
     const std::size_t shaped_channels = std::min<std::size_t>(values.size(), 2);
     for (std::size_t i = 0; i < shaped_channels; ++i) values[i] = shaped(place, values[i]);
     if (!flow_) return values;
+    // The rounding of the place lets a voxel take so much of its neighbour.
+    constexpr double kRounding = 1e-12;
+    const bool is_cloud = values.front() > kRounding;
     for (const double velocity : flow_reference(*flow_, place)) {
-        values.push_back(values.front() > 0 ? velocity : 0);
+        values.push_back(is_cloud ? velocity : 0);
     }
     return values;
 }

@@ -27,7 +27,7 @@ namespace skybake::cloud {
 struct CloudVolume {
     SourceVoxels source;
     config::VolumeWrap wrap = config::VolumeWrap::empty;  // along x and y; along z it is empty
-    std::shared_ptr<const convection::GrownCloud> flow;   // null: it tells no velocity
+    std::shared_ptr<const convection::GrownCloud> flow = {};  // null: it tells no velocity
 };
 
 // The voxels of the source that one voxel of the result takes along an axis, from `first` on.

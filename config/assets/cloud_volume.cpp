@@ -172,12 +172,13 @@ struct CloudVolumeResolver {
     }
 
     static std::size_t channels_of(const Cloud& cloud, std::span<const Noise> noises) {
-        return cloud_channel_names(find_by_name<Noise>(noises, cloud.noise), cloud.channels).size();
+        const auto noise = std::ranges::find(noises, cloud.noise, &Noise::name);
+        return cloud_channel_names(noise == noises.end() ? nullptr : &*noise, cloud.channels).size();
     }
 
     // Velocities are below 0 too, and above 1.
     void check_velocity(const Cloud& cloud) const {
-        const auto type = pixel_type_of(bake);
+        const auto type = choice_of<PixelType>(bake.at("pixel_type"));
         if (cloud.channels != CloudChannels::velocity || !type) return;
         if (*type == PixelType::half || *type == PixelType::float32) return;
         decoder.report("E0131", bake, "pixel_type", "cannot hold velocities",

@@ -86,7 +86,10 @@ std::string defaults_text(const Section& section, const Table& table, KeySet key
         if (!is_at_default(field, section, table)) continue;
         list += fmt::format("{}{} = {}", list.empty() ? "" : "; ", field.key, field.fallback);
     }
-    return list.empty() ? "" : comment(fmt::format("{}: {}", title, list));
+    if (list.empty()) return "";
+    // Lines that go on are indented: whoever takes the `#` off others must not take theirs for a key.
+    std::string text = wrap(fmt::format("{}: {}", title, list), "#   ", comment_width);
+    return text.erase(1, 2);
 }
 
 // Writes the keys of a table, each after the prefix, and lists the defaults of others.

@@ -141,7 +141,7 @@ TEST(InitCommand, NamesThePresetsThatAreMeant) {
     for (const char* kind : {"clouds"}) {
         EXPECT_TRUE(contains(error(kind), "clouds: altocumulus, cirrus, ")) << kind;
     }
-    expect_has(error("noises"), {"noises: billows, fibres, nubis_detail, "});
+    expect_has(error("noises"), {"noises: billows, nubis_detail, nubis_layer, "});
     const std::string piece = error("cumulus");
     expect_has(piece, {"did you mean clouds.altocumulus or clouds.cumulus_congestus"});
     EXPECT_TRUE(contains(error("qwertz"), "skybake init --list")) << error("qwertz");

@@ -74,7 +74,7 @@ TEST(SectionPresetMerge, TheRecipesOwnNoiseStays) {
     EXPECT_EQ(valid("[clouds.a]\npreset = 'stratus'\n[clouds.b]\npreset = 'cirrus'\n")
                   .parameters.noises.size(),
               3u)
-        << "detail, which both have, shape and fibres";
+        << "shape and detail of one, and tufts of the other";
 }
 
 // Clouds whose presets bring different noises under one name do not share the first one's.

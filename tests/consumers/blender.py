@@ -1,4 +1,4 @@
-"""Blender imports a VDB file and renders it: some light is scattered, some passes.
+"""Blender imports a VDB file and renders it: some light is scattered, some passes. It finds velocities.
 
 Runs itself within Blender, headless, as `blender -b --python blender.py -- VDB PICTURE`.
 """
@@ -62,16 +62,28 @@ def render(bpy, vdb, picture):
     print(f"pixels: {len(red)}, of {len(set(red))} values from {min(red)} to {max(red)}")
 
 
+def velocity_of(bpy, vdb):
+    bpy.ops.object.volume_import(filepath=vdb)
+    flow = bpy.context.object.data
+    flow.grids.load()
+    return flow.velocity_x_grid, flow.velocity_y_grid, flow.velocity_z_grid
+
+
 def main():
     import consumer
 
     blender = consumer.program("blender", "blender")
     failures = consumer.Failures()
-    volume = consumer.baked_volumes()[0]
+    volumes = consumer.baked_volumes()
+    volume = volumes[0]
+    flow = next(volume for volume in volumes if "velocity.x" in volume.grids())
     picture = volume.folder / "picture.png"
     text = consumer.output_of(blender, "-b", "--factory-startup", "--python-exit-code", "1",
-                              "--python", __file__, "--", volume.path("vdb"), str(picture))
+                              "--python", __file__, "--", volume.path("vdb"), str(picture),
+                              flow.path("vdb"))
     print(text)
+    velocity = ("velocity.x", "velocity.y", "velocity.z")
+    failures.expect(f"velocity: {velocity}" in text, True, "whether Blender finds the velocity")
     failures.expect(f"grids: {volume.grids()}" in text, True, "whether Blender lists the grids")
     pixels = re.search(r"^pixels: (\d+), of (\d+) values", text, re.MULTILINE)
     failures.expect(pixels is not None and int(pixels.group(1)), 256 * 256, "the number of pixels")
@@ -85,4 +97,6 @@ try:
 except ImportError:
     main()
 else:
-    render(bpy, *sys.argv[sys.argv.index("--") + 1 :])
+    volume_path, picture_path, flow_path = sys.argv[sys.argv.index("--") + 1 :]
+    render(bpy, volume_path, picture_path)
+    print("velocity:", velocity_of(bpy, flow_path))

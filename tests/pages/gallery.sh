@@ -23,8 +23,8 @@ examples/gallery.sh --page cloud_phase
 ! grep -q ' in 9999 s' examples/gallery.md || fail "the page does not say how long it took"
 
 command -v montage >/dev/null || { echo "skipped: imagemagick is not installed"; exit 77; }
-ONLY='^(particles\.haze|noise\.fibres)$' examples/gallery.sh sheets presets
-[[ $(ls sheets/presets | sort | xargs) == "noise.fibres noise.fibres.toml particles.haze particles.haze.toml" ]] ||
+ONLY='^(particles\.haze|noise\.tufts)$' examples/gallery.sh sheets presets
+[[ $(ls sheets/presets | sort | xargs) == "noise.tufts noise.tufts.toml particles.haze particles.haze.toml" ]] ||
     fail "$(ls sheets/presets)"
 pictures=$(find sheets/presets -name '*.png' | wc -l)
 ((pictures >= 3)) && [[ -s sheets/presets_others.png ]] || fail "$pictures pictures and no sheet of them"

@@ -75,6 +75,9 @@ void add_details(const Cloud& cloud, const cloud::CloudPlan& plan, Baked& volume
     if (cloud.full_at) add("full_at", *cloud.full_at);
     add("extinction_scale_per_m", cloud.extinction_scale.per_meter);
     if (cloud.particles == config::CloudParticles::ice) add("particles", "ice");
+    if (plan.flow && config::cloud_moves(cloud)) {
+        add("flow_seconds_per_frame", 60 * cloud.convection.loop_minutes / cloud.period);
+    }
     add("shaped_channels", static_cast<double>(plan.shaped_channels));
 }
 
