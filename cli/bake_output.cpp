@@ -70,12 +70,6 @@ Json paths_of(const std::vector<RetiredFile>& files) {
     return paths;
 }
 
-std::string channels_text(const ManifestAsset& asset) {
-    std::string text;
-    for (const std::string& channel : asset.channels) text += channel;
-    return text;
-}
-
 // Returns the share of a cloud volume's columns that hold cloud: "29.3 %".
 std::string cover_text(const ManifestAsset& asset) {
     const auto share = number_named(asset.details, covered_columns);
@@ -279,6 +273,12 @@ std::string finished_events(const BakedFolder& baked, const std::filesystem::pat
                               {"retired", paths_of(baked.retired)},
                               {"pruned", paths_of(baked.pruned)},
                               {"seconds", seconds}});
+}
+
+std::string channels_text(const ManifestAsset& asset) {
+    const bool are_letters = std::ranges::all_of(
+        asset.channels, [](const std::string& channel) { return channel.size() == 1; });
+    return fmt::format("{}", fmt::join(asset.channels, are_letters ? "" : " "));
 }
 
 std::string extent_text(std::span<const int> size) {

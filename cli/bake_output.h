@@ -52,6 +52,8 @@ std::string summary_text(const BakedFolder& baked, const SummaryOptions& options
 
 // Spells an extent: "256x64", "128x128x128".
 std::string extent_text(std::span<const int> size);
+// Returns the names of channels in a row: "RGB", or with spaces where they are words.
+std::string channels_text(const ManifestAsset& asset);
 
 // Returns a warning if a bake is estimated to take more than ten minutes of one core.
 std::vector<Diagnostic> long_bake(const FolderPlan& plan);

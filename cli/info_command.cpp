@@ -199,8 +199,7 @@ std::string manifest_text(const fs::path& folder, const Manifest& manifest) {
     for (const ManifestAsset& asset : manifest.assets) {
         for (const ManifestFile& file : asset.files) {
             table.add_row({asset.name, asset.kind, extent_text(size_of(asset, file)),
-                           fmt::format("{}", fmt::join(asset.channels, "")), asset.mapping,
-                           file.path,
+                           channels_text(asset), asset.mapping, file.path,
                            find_format(file.format) ? std::string(to_string(file.pixel_type)) : "",
                            bytes_text(folder / file.path, file.bytes), sky_error_text(asset.error),
                            color_error_text(asset.error), error_text(asset.error)});

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "bakers/math/memory.h"
+#include "bakers/clouds/tile_pieces.h"
 #include "bakers/math/transcendental.h"
 #include "bakers/noise/noise_bounds.h"
 
@@ -83,34 +83,29 @@ void plan_shape(const Cloud& cloud, const Noise* detail, CloudMaps maps, CloudPl
     if (cloud.full_at) plan.inverse_full = static_cast<float>(1 / *cloud.full_at);
 }
 
-// Fills a box of `width` or fewer columns with the noise of its voxels' heads, slice by slice, each in
-// two parts where the tile's edge lies between its heads.
+// Fills a box with the noise of its voxels' heads, slice by slice.
 void fill_fallen(const CloudPlan& plan, const noise::NoiseField& noise, const VoxelBox& box,
                  const std::vector<float*>& channels) {
     if (plan.fall.empty()) return noise.fill(box, channels);
-    const auto width = static_cast<std::size_t>(box.size[0]);
-    const auto rows = static_cast<std::size_t>(box.size[1]);
-    AlignedFloats values;
+    const AxisPiece rows{0, box.origin[1], box.size[1]};
+    std::vector<std::vector<float>> values(channels.size());
     for (int z = 0; z < box.size[2]; ++z) {
-        for (int x = 0, count = 0; x < box.size[0]; x += count) {
-            const std::array<std::int64_t, 3> head =
-                plan.head_of({box.origin[0] + x, box.origin[1], box.origin[2] + z});
-            const int first = static_cast<int>(head[0] % plan.size[0]);
-            count = std::min(box.size[0] - x, plan.size[0] - first);
-            const VoxelBox part{{first, box.origin[1], plan.size[2] - 1}, {count, box.size[1], 1}};
-            const auto columns = static_cast<std::size_t>(count);
-            values.resize(channels.size() * columns * rows);
+        const VoxelBox slice{box.origin, {box.size[0], box.size[1], 1}};
+        const std::int64_t place = slice.count() * z;
+        const int first = box.origin[0] + plan.fall[static_cast<std::size_t>(box.origin[2] + z)];
+        for (const AxisPiece& columns : wrapped_pieces(first, box.size[0], plan.size[0])) {
+            const VoxelBox heads{{columns.source, rows.source, plan.size[2] - 1},
+                                 {columns.size, rows.size, 1}};
             std::vector<float*> targets(channels.size(), nullptr);
             for (std::size_t c = 0; c < channels.size(); ++c) {
-                if (channels[c] != nullptr) targets[c] = &values[c * columns * rows];
+                if (channels[c] == nullptr) continue;
+                values[c].resize(static_cast<std::size_t>(heads.count()));
+                targets[c] = values[c].data();
             }
-            noise.fill(part, targets);
+            noise.fill(heads, targets);
             for (std::size_t c = 0; c < channels.size(); ++c) {
-                for (std::size_t y = 0; channels[c] != nullptr && y < rows; ++y) {
-                    std::copy_n(targets[c] + y * columns, columns,
-                                channels[c] + (static_cast<std::size_t>(z) * rows + y) * width +
-                                    static_cast<std::size_t>(x));
-                }
+                if (channels[c] == nullptr) continue;
+                copy_piece(slice, columns, rows, targets[c], channels[c] + place);
             }
         }
     }

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "bakers/math/wrapped.h"
+#include "bakers/clouds/tile_pieces.h"
 
 namespace skybake::cloud {
 namespace {
@@ -128,34 +128,6 @@ class BoxMaker {
     std::vector<double> slices_;  // of the source, with rows and columns of the box
     int first_slice_ = 0;
 };
-
-// A run of voxels along an axis that is one run of the source too.
-struct AxisPiece {
-    int at = 0;      // in the box
-    int source = 0;  // index in the source
-    int size = 0;
-};
-
-// Returns the runs of voxels `first` to first + count - 1 of an axis that repeats after `period`.
-std::vector<AxisPiece> wrapped_pieces(int first, int count, int period) {
-    std::vector<AxisPiece> pieces;
-    for (int at = 0; at < count; at += pieces.back().size) {
-        const int source = skybake::wrapped(first + at, period);
-        pieces.push_back({at, source, std::min(count - at, period - source)});
-    }
-    return pieces;
-}
-
-// Copies the voxels of a piece, `from`, to their place in a box.
-void copy_piece(const VoxelBox& box, const AxisPiece& columns, const AxisPiece& rows,
-                const float* from, float* to) {
-    for (int z = 0; z < box.size[2]; ++z) {
-        for (int y = 0; y < rows.size; ++y, from += columns.size) {
-            const std::int64_t row = std::int64_t{z} * box.size[1] + rows.at + y;
-            std::copy_n(from, columns.size, to + row * box.size[0] + columns.at);
-        }
-    }
-}
 
 }  // namespace
 

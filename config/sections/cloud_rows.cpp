@@ -180,7 +180,7 @@ const CloudField cloud_table[] = {
      "how far streaks of what falls trail at the base, along x, behind their heads at the top: all "
      "noises are those of the top, drawn out along parabolas",
      streaks_range, Default{R"("0 m")"},
-     Hint{"ice that falls 1.5 km at 1 m/s through a shear of 5 m/s per km trails by 5.6 km"},
+     Hint{"ice that falls 3 km at 1 m/s through a shear of 2.2 m/s per km trails by 10 km"},
      Exclusive{"source", "noise"}, Cited{marshall_1953}},
     {"erosion", Kind::pair, &Cloud::erosion,
      "how strongly detail erodes, at the base and at the top", erosion_range,
