@@ -182,5 +182,28 @@ TEST(TexelFit, HasTheSameBitsForAnyNumberOfThreads) {
     EXPECT_EQ(fitted(1), fitted(3));
 }
 
+// Shares of the work grow, and whoever answers no is soon left alone.
+TEST(TexelFit, SaysHowFarItIsAndEndsWhenTold) {
+    const Sizes sizes{{24, 12, 10}, {6, 6, 5}};
+    const TexelFit fit(sizes.places, sizes.texels, uneven(sizes.places), 1);
+    std::vector<double> shares;
+    const auto watched = [&](double until) {
+        shares.clear();
+        return fit.fit(rough(sizes.places), ShownAs::sunlight, {0, kAny}, [&](double share) {
+            shares.push_back(share);
+            return share < until;
+        });
+    };
+    EXPECT_EQ(watched(2), fit.fit(rough(sizes.places), ShownAs::sunlight, {0, kAny}));
+    EXPECT_TRUE(std::ranges::is_sorted(shares));
+    EXPECT_GE(shares.front(), 0);
+    EXPECT_GT(shares.back(), 0.2);
+    EXPECT_LE(shares.back(), 1);
+    EXPECT_GT(shares.size(), 10u);
+    watched(0.1);
+    const auto told = std::ranges::lower_bound(shares, 0.1);
+    EXPECT_LE(shares.end() - told, 4);  // once for each step
+}
+
 }  // namespace
 }  // namespace skybake::cloud_light

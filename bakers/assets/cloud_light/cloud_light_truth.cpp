@@ -253,7 +253,7 @@ class CellSearch {
         Level level;
         level.size = cloud_light_size(layer_.size, bake);
         level.repeats = {true, true, false};
-        level.voxels = fitted_texels(values_, level.size, bake, options_.threads);
+        level.voxels = fitted_texels(values_, level.size, bake, options_);
         volume.levels.push_back(std::move(level));
         code_levels(volume);
         return volume;

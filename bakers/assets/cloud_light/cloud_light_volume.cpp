@@ -202,14 +202,21 @@ SpacedValues cloud_light_values(const CloudLayer& layer, const CloudLightBake& b
 
 std::shared_ptr<const VoxelSource> fitted_texels(const SpacedValues& values,
                                                  const std::array<int, 3>& size,
-                                                 const CloudLightBake& bake, int threads) {
+                                                 const CloudLightBake& bake,
+                                                 const BakeOptions& options) {
     const auto bounds = bounds_of(bake, values.channels.size());
     const auto shown = config::is_depth(bake.contents) ? cloud_light::ShownAs::sunlight
                                                        : cloud_light::ShownAs::itself;
-    const cloud_light::TexelFit fit(values.places.count, size, values.weights, threads);
+    const cloud_light::TexelFit fit(values.places.count, size, values.weights, options.threads);
     std::vector<std::vector<float>> texels;
     for (std::size_t c = 0; c < values.channels.size(); ++c) {
-        texels.push_back(fit.fit(values.channels[c], shown, bounds[c]));
+        const auto goes_on = [&](double share) {
+            const double done = static_cast<double>(c) + share;
+            const auto channels = static_cast<double>(values.channels.size());
+            if (options.progress) options.progress->advance("texels", done / channels);
+            return !options.cancelled();
+        };
+        texels.push_back(fit.fit(values.channels[c], shown, bounds[c], goes_on));
     }
     return std::make_shared<const VoxelArray>(size, std::move(texels));
 }
@@ -238,7 +245,8 @@ Outcome<Baked> bake_cloud_light(const Baked& of, const CloudLayer& layer,
     SpacedValues values =
         cloud_light_values(layer, bake, cloud_light_spacing(bake), options, volume.details);
     if (options.cancelled()) return {};
-    level.voxels = fitted_texels(values, level.size, bake, options.threads);
+    level.voxels = fitted_texels(values, level.size, bake, options);
+    if (options.cancelled()) return {};
     volume.levels.push_back(std::move(level));
     add_mip_levels(bake.mips, options, volume);
     VolumeFinish finish = finish_of(of, layer, bake, volume.levels.front(), options);

@@ -48,9 +48,10 @@ std::vector<float> density_around(const cloud_light::CloudLayer& layer,
 SpacedValues cloud_light_values(const cloud_light::CloudLayer& layer, const CloudLightBake& bake,
                                 int spacing, const BakeOptions& options, Facts& details);
 
-// Returns the texels whose lookups are nearest to the values.
+// Returns the texels whose lookups are nearest to the values. They are of no use after an interruption.
 std::shared_ptr<const VoxelSource> fitted_texels(const SpacedValues& values,
                                                  const std::array<int, 3>& size,
-                                                 const CloudLightBake& bake, int threads);
+                                                 const CloudLightBake& bake,
+                                                 const BakeOptions& options);
 
 }  // namespace skybake

@@ -190,7 +190,7 @@ TexelFit::Misses TexelFit::misses(const Texels& texels, const std::vector<float>
 
 // Where weights say little texels stay near those before the step. Each is held by a share of the weight
 // that as many places have on average; ten times as much or as little misses by up to a tenth more.
-TexelFit::Texels TexelFit::step(const Misses& misses) const {
+TexelFit::Texels TexelFit::step(const Misses& misses, const Watch& goes_on) const {
     constexpr double kHeld = 0.003;
     constexpr int kMostTurns = 40;
     constexpr double kRest = 1e-4;  // of squares
@@ -214,7 +214,11 @@ TexelFit::Texels TexelFit::step(const Misses& misses) const {
     double squares = rescale();
     const double enough = kRest * squares;
     Texels direction = scaled;
+    const double first = squares;
     for (int turn = 0; turn < kMostTurns && squares > enough; ++turn) {
+        // Squares fall by about the same factor with each turn.
+        const double by_turns = double{1} * turn / kMostTurns;
+        if (!goes_on(std::max(by_turns, std::log(squares / first) / std::log(kRest)))) break;
         const Texels along = pressed(direction);
         const double length = squares / dot(direction, along);
         for (std::size_t i = 0; i < rest.size(); ++i) {
@@ -230,7 +234,7 @@ TexelFit::Texels TexelFit::step(const Misses& misses) const {
 }
 
 std::vector<float> TexelFit::fit(const std::vector<float>& values, ShownAs shown,
-                                 const std::array<float, 2>& bounds) const {
+                                 const std::array<float, 2>& bounds, const Watch& goes_on) const {
     constexpr int kSteps = 4;
     constexpr double kGain = 0.99;  // of squares; a step that gains less is the last
     Texels texels = centers(values);
@@ -238,7 +242,8 @@ std::vector<float> TexelFit::fit(const std::vector<float>& values, ShownAs shown
     if (size_ != places_) {
         Misses before = misses(texels, values, shown);
         for (int i = 0; i < kSteps && before.squares > 0; ++i) {
-            Texels next = step(before);
+            Texels next =
+                step(before, [&](double share) { return goes_on((i + share) / kSteps); });
             for (std::size_t t = 0; t < next.size(); ++t) next[t] += texels[t];
             clamp_all(next, bounds);
             Misses after = misses(next, values, shown);

@@ -18,6 +18,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace skybake::cloud_light {
@@ -32,8 +33,12 @@ class TexelFit {
     TexelFit(const std::array<int, 3>& places, const std::array<int, 3>& texels,
              std::vector<float> weights, int threads);
 
-    std::vector<float> fit(const std::vector<float>& values, ShownAs shown,
-                           const std::array<float, 2>& bounds) const;
+    // Is told which share of a fit is done; false ends it early, and its texels are not to be used.
+    using Watch = std::function<bool(double)>;
+
+    std::vector<float> fit(
+        const std::vector<float>& values, ShownAs shown, const std::array<float, 2>& bounds,
+        const Watch& goes_on = [](double) { return true; }) const;
 
   private:
     using Texels = std::vector<double>;
@@ -58,7 +63,7 @@ class TexelFit {
     std::array<std::size_t, 2> rows_of(std::size_t axis, int place) const;
     Texels centers(const std::vector<float>& values) const;
     Misses misses(const Texels& texels, const std::vector<float>& values, ShownAs shown) const;
-    Texels step(const Misses& misses) const;
+    Texels step(const Misses& misses, const Watch& goes_on) const;
     // Return the sums over places of what `term` makes of each place's lookup, in shares of texels.
     template <class Term>
     Texels gathered(const Texels& texels, const Term& term) const;
