@@ -84,7 +84,8 @@ struct CloudPlan {
     std::array<int, 3> size{};
     std::shared_ptr<const noise::NoiseField> base;  // null: `volume` is in its place
     std::shared_ptr<const ResampledVolume> volume;
-    std::shared_ptr<const FlowField> flow;  // of the plain channels of a cloud that grows; null: none
+    std::shared_ptr<const FlowField>
+        flow;  // of the plain channels of a cloud that grows; null: none
     std::shared_ptr<const noise::NoiseField> detail;  // null: none
     std::vector<SliceShape> slices;                   // one per z
     std::vector<int> fall;  // of each slice, in voxels along x; empty: nothing falls

@@ -216,7 +216,8 @@ double CloudReference::shaped(const std::array<double, 3>& place, double base_no
     if (base <= (in_file ? cloud_.threshold : 0)) return 0;
     double value = base;
     if (detail_) {
-        const double d = std::clamp(noise::noise_reference(*detail_, noise_place(place))[0], 0.0, 1.0);
+        const double d =
+            std::clamp(noise::noise_reference(*detail_, noise_place(place))[0], 0.0, 1.0);
         const double billow = h < cloud_.wisp_height ? h / cloud_.wisp_height : 1;
         const double erosion =
             std::lerp(cloud_.erosion[0], cloud_.erosion[1], h) * std::lerp(d, 1 - d, billow);
@@ -237,9 +238,8 @@ bool CloudReference::is_expensive() const {
 }
 
 std::vector<double> CloudReference::operator()(const std::array<double, 3>& place) const {
-    std::vector<double> values =
-        base_ ? noise::noise_reference(*base_, noise_place(place))
-              : std::vector<double>{(*volume_)(place)};
+    std::vector<double> values = base_ ? noise::noise_reference(*base_, noise_place(place))
+                                       : std::vector<double>{(*volume_)(place)};
     const std::size_t shaped_channels = std::min<std::size_t>(values.size(), 2);
     for (std::size_t i = 0; i < shaped_channels; ++i) values[i] = shaped(place, values[i]);
     if (!flow_) return values;

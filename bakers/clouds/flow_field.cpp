@@ -84,10 +84,9 @@ std::array<double, 3> flow_reference(const convection::GrownCloud& cloud,
             cell[axis] =
                 cell_within(axis, static_cast<int>(std::floor(at)) + side, cloud.cells[axis]);
         }
-        const std::size_t index =
-            (cell[2] * static_cast<std::size_t>(cloud.cells[1]) + cell[1]) *
-                static_cast<std::size_t>(cloud.cells[0]) +
-            cell[0];
+        const std::size_t index = (cell[2] * static_cast<std::size_t>(cloud.cells[1]) + cell[1]) *
+                                      static_cast<std::size_t>(cloud.cells[0]) +
+                                  cell[0];
         for (std::size_t axis = 0; axis < 3; ++axis) {
             velocity[axis] += weight * double{cloud.velocity[axis * cloud.water.size() + index]};
         }

@@ -23,10 +23,11 @@ std::string text_of(const Specification& wanted) {
     const auto& [grid, mixed, sponge, base, temperature, instability, inversion, humidity, wind,
                  top, patches, width, warmth, seed, growth, loop, velocity] = wanted;
     const auto& [cells, edges] = grid;
-    return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}", fmt::join(cells, " "),
-                       fmt::join(edges, " "), mixed, sponge, base, temperature, instability,
-                       inversion, humidity, fmt::join(wind, " "), fmt::join(top, " "), patches,
-                       fmt::join(width, " "), warmth, seed, growth, loop, velocity);
+    return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}",
+                       fmt::join(cells, " "), fmt::join(edges, " "), mixed, sponge, base,
+                       temperature, instability, inversion, humidity, fmt::join(wind, " "),
+                       fmt::join(top, " "), patches, fmt::join(width, " "), warmth, seed, growth,
+                       loop, velocity);
 }
 
 // The moments of a loop are so close that air at this speed passes no more than a cell from one to the next.
@@ -182,11 +183,11 @@ std::shared_ptr<const GrownCloud> grow(const Specification& wanted, const BakeOp
     cloud->full_water = make_sounding(wanted).adiabatic_water;
     cloud->moments = moments_of(wanted);
     const std::size_t cells = cloudy_cells(wanted);
-    take_fields(kept_or_made<float>(
-                    kept, {"convection", kGrowthVersion, text_of(wanted)},
-                    kept_fields(wanted) * cells * static_cast<std::size_t>(cloud->moments),
-                    [&] { return grown_fields(wanted, options); }),
-                cells, *cloud);
+    take_fields(
+        kept_or_made<float>(kept, {"convection", kGrowthVersion, text_of(wanted)},
+                            kept_fields(wanted) * cells * static_cast<std::size_t>(cloud->moments),
+                            [&] { return grown_fields(wanted, options); }),
+        cells, *cloud);
     return cloud->water.empty() ? nullptr : cloud;
 }
 

@@ -133,7 +133,8 @@ constexpr Choice channels_choices[] = {
     {CloudChannels::noise, "noise",
      "the channels of the noise: R and G are shaped, B and A are plain"},
     {CloudChannels::velocity, "velocity",
-     "the density of a cloud that grows, and where it is not 0 the velocity of its flow in m/s along "
+     "the density of a cloud that grows, and where it is not 0 the velocity of its flow in m/s "
+     "along "
      "x, y and z, less the wind that carries the cloud"},
 };
 constexpr Choice shape_choices[] = {
@@ -144,8 +145,7 @@ constexpr std::string_view brenguier_2000 =
     "Brenguier et al. 2000, Radiative Properties of Boundary Layer Clouds: Droplet Effective "
     "Radius "
     "versus Number Concentration";
-constexpr std::string_view marshall_1953 =
-    "Marshall 1953, Precipitation trajectories and patterns";
+constexpr std::string_view marshall_1953 = "Marshall 1953, Precipitation trajectories and patterns";
 constexpr std::string_view key_2002 =
     "Key, Yang, Baum & Nasiri 2002, Parameterization of shortwave ice cloud optical properties for "
     "various particle habits";

@@ -111,8 +111,7 @@ TEST(RandomClouds, SpecificationIsNearTheReference) {
     EXPECT_TRUE(rc::check([&] {
         const CloudCase any = any_cloud();
         const CloudPlan plan = any.plan();
-        const CloudReference reference(any.cloud, any.base, any.detail_noise(), any.size,
-                                       any.maps);
+        const CloudReference reference(any.cloud, any.base, any.detail_noise(), any.size, any.maps);
         const VoxelBox whole{{}, any.size};
         double towers = 0;
         for (const config::Tower& tower : any.cloud.towers) towers += 2 * tower.amplitude + 60;

@@ -104,9 +104,8 @@ void expect_titles(std::span<const Preset> presets) {
 
 TEST(Presets, OfNoisesAreThoseOfTheIssue) {
     EXPECT_EQ(noise_preset_names(), (std::vector<std::string_view>{
-                                        "billows", "nubis_detail", "nubis_layer",
-                                        "nubis_shape", "takram_detail", "takram_shape", "thesis",
-                                        "tufts"}));
+                                        "billows", "nubis_detail", "nubis_layer", "nubis_shape",
+                                        "takram_detail", "takram_shape", "thesis", "tufts"}));
     expect_titles(noise_presets());
 }
 

@@ -184,8 +184,8 @@ TEST(Flow, KeptVelocityMovesTheCloud) {
     while (flow.time_s() < wanted.growth_s) flow.step(wanted.growth_s);
     std::vector<float> velocity;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        const std::vector<float> along = rows_of(
-            wanted, [&](int y, int z, float* out) { flow.velocity_row(axis, y, z, out); });
+        const std::vector<float> along =
+            rows_of(wanted, [&](int y, int z, float* out) { flow.velocity_row(axis, y, z, out); });
         velocity.insert(velocity.end(), along.begin(), along.end());
     }
     ASSERT_EQ(cloud->velocity, velocity);

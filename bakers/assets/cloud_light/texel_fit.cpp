@@ -242,8 +242,7 @@ std::vector<float> TexelFit::fit(const std::vector<float>& values, ShownAs shown
     if (size_ != places_) {
         Misses before = misses(texels, values, shown);
         for (int i = 0; i < kSteps && before.squares > 0; ++i) {
-            Texels next =
-                step(before, [&](double share) { return goes_on((i + share) / kSteps); });
+            Texels next = step(before, [&](double share) { return goes_on((i + share) / kSteps); });
             for (std::size_t t = 0; t < next.size(); ++t) next[t] += texels[t];
             clamp_all(next, bounds);
             Misses after = misses(next, values, shown);

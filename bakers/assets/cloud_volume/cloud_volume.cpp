@@ -51,11 +51,10 @@ std::vector<AxisMapping> axes_of(const Cloud& cloud) {
 std::string content_of(const Cloud& cloud) {
     const double extinction = cloud.extinction_scale.per_meter;
     if (cloud.threshold_at == config::ThresholdAt::bake) {
-        return fmt::format("cloud density, dimensionless; extinction is density * {} /m{}",
-                           extinction,
-                           cloud.channels == config::CloudChannels::velocity
-                               ? "; velocity of the flow in m/s"
-                               : "");
+        return fmt::format(
+            "cloud density, dimensionless; extinction is density * {} /m{}", extinction,
+            cloud.channels == config::CloudChannels::velocity ? "; velocity of the flow in m/s"
+                                                              : "");
     }
     return fmt::format(
         "cloud value v before its threshold, dimensionless; density is v * smoothstep({}, {}, v), "
