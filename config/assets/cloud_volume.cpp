@@ -173,7 +173,8 @@ struct CloudVolumeResolver {
 
     static std::size_t channels_of(const Cloud& cloud, std::span<const Noise> noises) {
         const auto noise = std::ranges::find(noises, cloud.noise, &Noise::name);
-        return cloud_channel_names(noise == noises.end() ? nullptr : &*noise, cloud.channels).size();
+        return cloud_channel_names(noise == noises.end() ? nullptr : &*noise, cloud.channels)
+            .size();
     }
 
     // Velocities are below 0 too, and above 1.
@@ -181,9 +182,9 @@ struct CloudVolumeResolver {
         const auto type = choice_of<PixelType>(bake.at("pixel_type"));
         if (cloud.channels != CloudChannels::velocity || !type) return;
         if (*type == PixelType::half || *type == PixelType::float32) return;
-        decoder.report("E0131", bake, "pixel_type", "cannot hold velocities",
-                       fmt::format("give half or float, or cloud `{}` other channels",
-                                   shorten(cloud.name)));
+        decoder.report(
+            "E0131", bake, "pixel_type", "cannot hold velocities",
+            fmt::format("give half or float, or cloud `{}` other channels", shorten(cloud.name)));
     }
 
     // Gives one warning for all narrow towers, which names the first of them.
@@ -234,15 +235,11 @@ std::vector<Read> reads_of(const Parameters& parameters, const CloudVolumeBake& 
 
 }  // namespace
 
-const AssetKind& asset_kind(Tag<CloudVolumeBake>) {
-    static const AssetKind kind = make_asset_kind<CloudVolumeBake>(
-        {
-            .name = "cloud_volume",
-            .documentation = "the voxels of a cloud",
-        },
+AssetKind asset_kind(Tag<CloudVolumeBake>) {
+    return make_asset_kind<CloudVolumeBake>(
+        {.name = "cloud_volume", .documentation = "the voxels of a cloud"},
         with_file_fields(cloud_volume_table, {.formats = R"(["vdb"])"}), reads_of,
         resolve_cloud_volume);
-    return kind;
 }
 
 }  // namespace skybake::config

@@ -71,8 +71,8 @@ std::vector<std::string> channels_of(const CloudVolumeBake& volume, const Recipe
     const Cloud* cloud = find_cloud(volume, recipe);
     const Noise* noise =
         cloud ? find_by_name<Noise>(recipe.parameters.noises, cloud->noise) : nullptr;
-    const bool is_known = cloud && (noise || !cloud->volume.empty() ||
-                                    cloud->shape == CloudShape::convection);
+    const bool is_known =
+        cloud && (noise || !cloud->volume.empty() || cloud->shape == CloudShape::convection);
     if (!is_known) return {};
     return cloud_channel_names(noise, cloud->channels);
 }
