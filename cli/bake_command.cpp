@@ -53,11 +53,9 @@ FolderBake folder_bake(const Invocation& invocation, const BakeSelection& select
 std::vector<Diagnostic> check_no_sweep(const FolderBake& bake) {
     if (bake.force || !is_sweep_folder(bake.folder)) return {};
     const std::string folder = bake.folder.string();
-    Diagnostic diagnostic =
-        file_error("E0303", folder,
-                   fmt::format("`{}` holds a sweep: it has a {}", folder, sweep_manifest_name));
-    diagnostic.label = "choose another folder with -o, or bake into this one with --force";
-    return {std::move(diagnostic)};
+    return {file_error("E0303", folder,
+                       fmt::format("`{}` holds a sweep: it has a {}", folder, sweep_manifest_name),
+                       "choose another folder with -o, or bake into this one with --force")};
 }
 
 ExitCode dry_run(const FolderBake& bake, bool json, Console& console) {

@@ -350,15 +350,12 @@ std::vector<Diagnostic> long_bake(const FolderPlan& plan) {
             return (one.stale() ? one.estimate.seconds : 0) <
                    (other.stale() ? other.estimate.seconds : 0);
         });
-    Diagnostic warning;
-    warning.severity = Severity::warning;
-    warning.code = "W0225";
-    warning.message = fmt::format(
-        "baking may take {:.0f} minutes of one core, `{}` {:.0f} of them besides shared light",
-        seconds / 60, longest->bake->name, longest->estimate.seconds / 60);
-    warning.label =
-        "an estimate from sizes and from the depth of the air; --dry-run shows its parts";
-    return {std::move(warning)};
+    return {diagnosis(
+        "W0225",
+        fmt::format(
+            "baking may take {:.0f} minutes of one core, `{}` {:.0f} of them besides shared light",
+            seconds / 60, longest->bake->name, longest->estimate.seconds / 60),
+        "an estimate from sizes and from the depth of the air; --dry-run shows its parts")};
 }
 
 void BakeReporter::planned(const FolderPlan& plan) {

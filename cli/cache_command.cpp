@@ -22,7 +22,7 @@ namespace options {
 // Reads an amount in bytes.
 Outcome<std::uint64_t> read_max_size(const std::string& text) {
     if (const auto bytes = parse_byte_size(text)) return {*bytes, {}};
-    return {{}, {bad_value("--max-size", text, std::string(byte_size_words))}};
+    return bad_value("--max-size", text, std::string(byte_size_words));
 }
 
 inline const Option<std::uint64_t> max_size{"max-size", 0, "SIZE", {}, read_max_size};

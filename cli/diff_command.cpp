@@ -30,7 +30,7 @@ Outcome<double> read_tolerance(const std::string& text) {
     const char* const end = text.data() + text.size();
     const auto parsed = std::from_chars(text.data(), end, number);
     if (parsed.ec == std::errc{} && parsed.ptr == end && number >= 0) return {number, {}};
-    return {{}, {bad_value("--tolerance", text, "it takes a number of at least 0, such as 1e-6")}};
+    return bad_value("--tolerance", text, "it takes a number of at least 0, such as 1e-6");
 }
 
 inline const Option<double> tolerance{"tolerance", 0, "NUMBER", {}, read_tolerance};

@@ -63,7 +63,7 @@ Outcome<std::vector<ValueRange>> value_ranges(ExrRows& image) {
         step = std::min(step, image.facts().height - y);
         texels.resize(static_cast<std::size_t>(step) *
                       static_cast<std::size_t>(image.facts().width) * channels);
-        if (auto problem = image.read(y, step, texels.data())) return {{}, {*problem}};
+        if (auto problem = image.read(y, step, texels.data())) return *problem;
         for (std::size_t i = 0; i < texels.size(); ++i) {
             ValueRange& range = ranges[i % channels];
             const double value = texels[i];

@@ -185,19 +185,17 @@ std::string preset_list_event() {
 Outcome<KnownPreset> preset_of(const std::string& name) {
     const auto presets = presets_for_init(name);
     if (presets.size() == 1) return {presets.front(), {}};
-    if (presets.empty()) return {{}, {unknown_preset(name)}};
+    if (presets.empty()) return unknown_preset(name);
     Diagnostic diagnostic =
         usage_error(fmt::format("several presets have the name `{}`", name),
                     fmt::format("name it with its kind: {}", full_names(presets)));
     diagnostic.code = "E0115";
-    return {{}, {std::move(diagnostic)}};
+    return diagnostic;
 }
 
 Diagnostic would_overwrite(const std::string& file) {
-    Diagnostic diagnostic =
-        file_error("E0303", file, fmt::format("`{}` exists and would be overwritten", file));
-    diagnostic.label = "overwrite it with --force";
-    return diagnostic;
+    return file_error("E0303", file, fmt::format("`{}` exists and would be overwritten", file),
+                      "overwrite it with --force");
 }
 
 ExitCode write_recipe(const std::string& file, const KnownPreset& preset, bool force,
@@ -268,11 +266,9 @@ std::optional<Diagnostic> preset_in_place_of_file(const std::filesystem::path& p
     if (fs::exists(fs::symlink_status(path, error))) return std::nullopt;
     const auto presets = presets_for_init(path.string());
     if (presets.empty()) return std::nullopt;
-    Diagnostic diagnostic =
-        file_error("E0300", "", fmt::format("`{}` is a preset and not a file", path.string()));
-    diagnostic.label =
-        fmt::format("write a recipe from it: {}", init_command_of(presets, path.string()));
-    return diagnostic;
+    return file_error(
+        "E0300", "", fmt::format("`{}` is a preset and not a file", path.string()),
+        fmt::format("write a recipe from it: {}", init_command_of(presets, path.string())));
 }
 
 Command init_command() {

@@ -58,10 +58,9 @@ Diagnostic nothing_to_bake() {
 Outcome<Recipe> recipe_from_standard_input(const std::vector<std::string>& settings) {
     static const auto text = config::read_standard_input(config::most_recipe_bytes);
     if (const auto* error = std::get_if<config::FileError>(&text)) {
-        return {{},
-                {file_error(
-                    error->too_large ? "E0120" : "E0300", std::string(standard_input_name),
-                    fmt::format("cannot read a recipe from standard input: {}", error->reason))}};
+        return file_error(
+            error->too_large ? "E0120" : "E0300", std::string(standard_input_name),
+            fmt::format("cannot read a recipe from standard input: {}", error->reason));
     }
     return config::parse_recipe(std::get<std::string>(text), std::string(standard_input_name), {},
                                 settings);
@@ -121,25 +120,25 @@ Diagnostic bad_value(std::string_view option, std::string_view text, std::string
 namespace options {
 
 Outcome<fs::path> read_folder(const std::string& text) {
-    if (text.empty()) return {{}, {usage_error("-o: the folder's name is empty")}};
+    if (text.empty()) return usage_error("-o: the folder's name is empty");
     return {fs::path(text), {}};
 }
 
 Outcome<int> read_jobs(const std::string& text) {
     if (const auto threads = parse_count(text, 1, 1024)) return {static_cast<int>(*threads), {}};
-    return {{}, {bad_value("-j", text, "it takes a number of threads from 1 to 1024")}};
+    return bad_value("-j", text, "it takes a number of threads from 1 to 1024");
 }
 
 Outcome<std::string> read_cache(const std::string& text) {
     std::string problem = cache_url_problem(text);
     if (problem.empty()) return {text, {}};
-    return {{}, {bad_value("--cache", without_credentials(text), std::move(problem))}};
+    return bad_value("--cache", without_credentials(text), std::move(problem));
 }
 
 Outcome<double> read_max_memory(const std::string& text) {
     const auto bytes = parse_byte_size(text);
     if (bytes) return {static_cast<double>(*bytes) / (1024.0 * 1024.0), {}};
-    return {{}, {bad_value("--max-memory", text, std::string(byte_size_words))}};
+    return bad_value("--max-memory", text, std::string(byte_size_words));
 }
 
 }  // namespace options
@@ -186,7 +185,7 @@ Outcome<std::string> cache_url(const Invocation& invocation) {
     if (url == nullptr || *url == '\0') return {"", {}};
     std::string problem = cache_url_problem(url);
     if (problem.empty()) return {url, {}};
-    return {{}, {bad_value("SKYBAKE_CACHE", without_credentials(url), std::move(problem))}};
+    return bad_value("SKYBAKE_CACHE", without_credentials(url), std::move(problem));
 }
 
 std::optional<double> memory_limit_mib(const Invocation& invocation) {
@@ -207,7 +206,7 @@ Outcome<Recipe> recipe_of(const Invocation& invocation, std::span<const std::str
     std::vector<std::string> settings = invocation[options::set];
     settings.insert(settings.end(), more.begin(), more.end());
     if (is_standard_input(file)) return recipe_from_standard_input(settings);
-    if (auto diagnostic = preset_in_place_of_file(file)) return {{}, {std::move(*diagnostic)}};
+    if (auto diagnostic = preset_in_place_of_file(file)) return std::move(*diagnostic);
     if (is_foreign_volume(file)) return recipe_of_volume(file, settings);
     return config::load_recipe(file, settings);
 }

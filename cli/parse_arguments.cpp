@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "cli/options.h"
+#include "config/text/mapped.h"
 #include "config/text/text.h"
 
 namespace skybake::cli {
@@ -83,8 +84,7 @@ std::string misplaced_option(std::string_view word, const Command& command) {
 Diagnostic unknown_option(const std::string& word, std::span<const OptionRow> options,
                           const std::string& help) {
     const std::string shown = word.substr(0, word.find('='));
-    std::vector<std::string_view> known;
-    for (const OptionRow& option : options) known.push_back(option.name);
+    const auto known = mapped<std::string_view>(options, &OptionRow::name);
     // The dashes are no part of the names, or all names would be near to each other.
     const auto nearest =
         shown.starts_with("--") ? config::nearest_name(shown.substr(2), known) : std::nullopt;
@@ -241,15 +241,14 @@ void take_arguments(const Found& found, const Command& command, CommandLine& lin
 }  // namespace
 
 Diagnostic unknown_command(const std::string& name, std::span<const Command> commands) {
-    std::vector<std::string_view> names;
-    for (const Command& command : commands) names.push_back(command.name);
+    const auto names = mapped<std::string_view>(commands, &Command::name);
     std::string hint = config::did_you_mean(name, names);
     if (hint.empty()) hint = "`skybake --help` lists the commands";
     return usage_error(fmt::format("unknown command `{}`", name), std::move(hint));
 }
 
 Diagnostic usage_error(std::string message, std::string label) {
-    return {Severity::error, "E0001", std::move(message), {}, std::move(label)};
+    return diagnosis("E0001", std::move(message), std::move(label));
 }
 
 CommandLine parse_arguments(std::span<const std::string> words, std::span<const Command> commands,

@@ -43,21 +43,19 @@ Outcome<double> read_share(const std::string& text, std::string_view option) {
     const double share = unit.empty() ? number : number / 100;
     const bool has_unit = unit.empty() || unit == "%" || unit == " %";
     if (error == std::errc{} && has_unit && share > 0 && share <= 1) return {share, {}};
-    return {{},
-            {bad_value(std::string(option), text, "it takes a share up to 1, such as 2% or 0.02")}};
+    return bad_value(std::string(option), text, "it takes a share up to 1, such as 2% or 0.02");
 }
 
 Outcome<std::int64_t> read_fetches(const std::string& text) {
     if (const auto count = parse_count(text, 1, 1'000'000)) return {*count, {}};
-    return {{}, {bad_value("--max-fetches", text, "it takes a number from 1 to 1000000")}};
+    return bad_value("--max-fetches", text, "it takes a number from 1 to 1000000");
 }
 
 Outcome<std::uint64_t> read_size(const std::string& text) {
     const auto bytes = parse_byte_size(text);
     constexpr std::uint64_t fewest = 1024;
     if (bytes && *bytes >= fewest) return {*bytes, {}};
-    return {{},
-            {bad_value("--max-size", text, fmt::format("{}, of 1 KiB at least", byte_size_words))}};
+    return bad_value("--max-size", text, fmt::format("{}, of 1 KiB at least", byte_size_words));
 }
 
 const Option<double> max_sky_error{"max-sky-error", 0, "SHARE", {}, [](const std::string& text) {
@@ -166,10 +164,8 @@ std::optional<Diagnostic> existing_recipe(const Invocation& invocation) {
     if (path.empty() || invocation[options::force] || !std::filesystem::exists(path, error)) {
         return std::nullopt;
     }
-    Diagnostic problem =
-        file_error("E0303", path.string(), fmt::format("`{}` already exists", path.string()));
-    problem.label = "overwrite it with --force, or choose another name";
-    return problem;
+    return file_error("E0303", path.string(), fmt::format("`{}` already exists", path.string()),
+                      "overwrite it with --force, or choose another name");
 }
 
 ExitCode write_recipe(const std::vector<Plan>& plans, const Recipe& recipe,

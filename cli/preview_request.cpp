@@ -60,7 +60,7 @@ template <class T>
 Outcome<T> valid(const std::optional<T>& value, std::string_view option, std::string_view text,
                  std::string_view what, std::string label) {
     if (value) return {value, {}};
-    return {{}, {not_valid(option, text, what, std::move(label))}};
+    return not_valid(option, text, what, std::move(label));
 }
 
 Outcome<int> read_count(std::string_view text, int least, int most, std::string_view option,

@@ -102,12 +102,10 @@ std::string asset_text(const AssetReport& asset) {
            rows_text(asset) + notes_text(asset);
 }
 
-std::string report_text(const AssetReport& asset) { return asset_text(asset); }
-
 std::string report_table(const std::vector<AssetReport>& assets) {
     std::string text;
     for (const AssetReport& asset : assets) {
-        text += fmt::format("{}{}", text.empty() ? "" : "\n", report_text(asset));
+        text += fmt::format("{}{}", text.empty() ? "" : "\n", asset_text(asset));
     }
     return text;
 }

@@ -31,9 +31,8 @@ namespace skybake::cli {
 Outcome<int> options::read_tasks(const std::string& text) {
     const auto tasks = parse_count(text, 1, config::most_variants);
     if (tasks) return {static_cast<int>(*tasks), {}};
-    return {{},
-            {bad_value("--tasks", text,
-                       fmt::format("it takes a number from 1 to {}", config::most_variants))}};
+    return bad_value("--tasks", text,
+                     fmt::format("it takes a number from 1 to {}", config::most_variants));
 }
 
 Outcome<std::pair<int, int>> options::read_shard(const std::string& text) {
@@ -45,8 +44,7 @@ Outcome<std::pair<int, int>> options::read_shard(const std::string& text) {
     if (shard && shards && *shard <= *shards) {
         return {std::pair(static_cast<int>(*shard), static_cast<int>(*shards)), {}};
     }
-    return {{},
-            {bad_value("--shard", text, "it takes I/N, which is part I of N, from 1/N to N/N")}};
+    return bad_value("--shard", text, "it takes I/N, which is part I of N, from 1/N to N/N");
 }
 
 namespace {
@@ -80,9 +78,8 @@ Outcome<config::Sweep> sweep_of(const Invocation& invocation) {
     if (invocation.has(options::sobol)) given.sobol = invocation[options::sobol];
     auto sweep = config::load_sweep(invocation.arguments()[0], invocation[options::set], given);
     if (!sweep.value || !sweep.value->axes.empty()) return sweep;
-    return {{},
-            {usage_error("there is nothing to vary: add [sweep] to the recipe or pass --vary",
-                         "for example --vary clouds.cumulus.coverage=0.2:0.8:4")}};
+    return usage_error("there is nothing to vary: add [sweep] to the recipe or pass --vary",
+                       "for example --vary clouds.cumulus.coverage=0.2:0.8:4");
 }
 
 std::vector<Diagnostic> contradictions(const Invocation& invocation) {

@@ -9,6 +9,7 @@
 #include "bakers/math/transcendental.h"
 #include "config/sections/atmosphere.h"
 #include "config/sections/layer.h"
+#include "config/text/mapped.h"
 
 namespace skybake {
 namespace {
@@ -40,11 +41,9 @@ std::vector<ProfilePoint> profile_points(const Layer& layer) {
         case Profile::slab:
             return {{layer.bottom_altitude.kilometers(), 1}, {layer.top_altitude.kilometers(), 1}};
         case Profile::tabulated: {
-            std::vector<ProfilePoint> points;
-            for (const config::DensityPoint& point : layer.table) {
-                points.push_back({point.altitude.kilometers(), point.density});
-            }
-            return points;
+            return mapped<ProfilePoint>(layer.table, [&](const config::DensityPoint& point) {
+                return ProfilePoint{point.altitude.kilometers(), point.density};
+            });
         }
         case Profile::exponential:
         case Profile::standard:  // which recipes hold as a table

@@ -9,6 +9,7 @@
 #include "bakers/field/bc4.h"
 #include "bakers/field/bc6h.h"
 #include "bakers/field/pixel_type.h"
+#include "config/text/mapped.h"
 
 namespace skybake {
 
@@ -107,11 +108,9 @@ class DecodedVoxels : public VoxelSource {
         : voxels_(std::move(voxels)), size_(size), type_(type), channels_(channels) {}
 
     void fill(const VoxelBox& box, const std::vector<float*>& channels) const override {
-        std::vector<bool> wanted;
-        for (const float* channel : channels) {
-            wanted.push_back(channel != nullptr || type_ == PixelType::bc6h ||
-                             type_ == PixelType::bc5);
-        }
+        const auto wanted = mapped<bool>(channels, [&](const float* channel) {
+            return channel != nullptr || type_ == PixelType::bc6h || type_ == PixelType::bc5;
+        });
         Planes planes(*voxels_, whole_blocks(box, size_), wanted);
         decode_blocks(planes);
         for (std::size_t c = 0; c < channels.size(); ++c) {

@@ -400,12 +400,10 @@ Probe as_probe(TakenProbe taken) {
 
 std::optional<Diagnostic> weak_probes(const std::string& asset, const ProbeSet& set) {
     if (set.missed.empty()) return std::nullopt;
-    Diagnostic diagnostic;
-    diagnostic.code = "E0407";
-    diagnostic.message =
+    return diagnosis(
+        "E0407",
         fmt::format("`{}`: its probes would pass a file that is wrong in one of these ways: {}",
-                    asset, fmt::join(set.missed, ", "));
-    return diagnostic;
+                    asset, fmt::join(set.missed, ", ")));
 }
 
 ProbedTexture probed_texture(const Level& level, int dimensions, PixelType type) {

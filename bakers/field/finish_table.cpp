@@ -18,10 +18,6 @@
 namespace skybake {
 namespace {
 
-Diagnostic failure(std::string code, std::string message, std::string label = {}) {
-    return {Severity::error, std::move(code), std::move(message), {}, std::move(label)};
-}
-
 PointCounts points_of(const AccuracyRequest& request, Certification certification) {
     return certification == Certification::full ? request.full : request.quick;
 }
@@ -64,19 +60,19 @@ std::optional<Diagnostic> check_range(const Image2<double>& texels, const Baked&
             place_text(place_of(texel_coordinate(model.convention, x, texels.width),
                                 texel_coordinate(model.convention, y, texels.height)));
         if (!std::isfinite(value)) {
-            return failure("E0401",
-                           fmt::format("`{}`: the value at {} is not finite", table.name, place));
+            return diagnosis("E0401",
+                             fmt::format("`{}`: the value at {} is not finite", table.name, place));
         }
         if (value < 0 && model.highest > 1) {
-            return failure("E0405", fmt::format("`{}`: the light at {} came out negative: {:.6g}",
-                                                table.name, place, value));
+            return diagnosis("E0405", fmt::format("`{}`: the light at {} came out negative: {:.6g}",
+                                                  table.name, place, value));
         }
         if (!(value >= model.lowest && value <= model.highest)) {
-            return failure("E0405",
-                           fmt::format("`{}`: the value at {} is {:.6g}, outside [{:g}, {:g}]",
-                                       table.name, place, value, model.lowest, model.highest));
+            return diagnosis("E0405",
+                             fmt::format("`{}`: the value at {} is {:.6g}, outside [{:g}, {:g}]",
+                                         table.name, place, value, model.lowest, model.highest));
         }
-        return failure(
+        return diagnosis(
             "E0402",
             fmt::format("`{}`: {} of {} values are outside {}; the first is {:.6g} at {}",
                         table.name, table.range.above_range, texels.texels.size(),
@@ -248,7 +244,7 @@ Outcome<TablePart> make_part(const TableModel& model, const AccuracyRequest& req
             smallest_table(model, *request.max_error, table, points, options, check);
         if (options.cancelled()) return outcome;
         if (!search.found) {
-            outcome.diagnostics.push_back(failure(
+            outcome.diagnostics.push_back(diagnosis(
                 "E0403",
                 fmt::format("`{}`: no size meets max_error = {:.3g}; the best, {}x{}, has {:.3g}",
                             table.name, *request.max_error, search.best.size[0],
@@ -266,7 +262,7 @@ Outcome<TablePart> make_part(const TableModel& model, const AccuracyRequest& req
         const LevelChoice choice = choose_level(model, request, *texels, options);
         if (options.cancelled()) return outcome;
         if (!choice.level) {
-            outcome.diagnostics.push_back(failure(
+            outcome.diagnostics.push_back(diagnosis(
                 "E0404",
                 fmt::format(
                     "`{}`: no quadrature meets max_texel_error = {:.3g}; the finest has {:.3g}",
@@ -287,13 +283,11 @@ Outcome<TablePart> make_part(const TableModel& model, const AccuracyRequest& req
     }
     // Values of both signs pass through zero, where they need no precision.
     if (table.range.below_normal > 0 && model.lowest >= 0) {
-        Diagnostic warning = failure(
+        outcome.diagnostics.push_back(diagnosis(
             "W0201", fmt::format("`{}`: {} of {} values are below {:.3g}, where {} loses precision",
                                  table.name, table.range.below_normal, values.texels.size(),
                                  smallest_normal(table.pixel_type),
-                                 table.pixel_type == PixelType::half ? "half" : "float"));
-        warning.severity = Severity::warning;
-        outcome.diagnostics.push_back(std::move(warning));
+                                 table.pixel_type == PixelType::half ? "half" : "float")));
     }
     if (model.cost_per_texel.size() > 1) {
         table.details.emplace_back("quadrature_level", level + 1.0);

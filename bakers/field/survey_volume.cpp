@@ -344,25 +344,20 @@ class Survey {
             bad.index / width % height + static_cast<std::size_t>(box.origin[1]),
             bad.index / width / height + static_cast<std::size_t>(box.origin[2]), level,
             volume_.channel_names[bad.channel]);
-        Diagnostic result;
-        result.code = std::isfinite(bad.value) ? "E0402" : "E0401";
-        result.message = std::isfinite(bad.value)
-                             ? fmt::format("{} is {}, outside {}", place, bad.value,
-                                           range_text(volume_.pixel_type))
-                             : fmt::format("{} is not finite", place);
-        if (std::isfinite(bad.value)) {
-            const bool is_noise = volume_.kind == "noise_volume";
-            const bool is_half = volume_.pixel_type == PixelType::half;
-            result.label = fmt::format(
+        if (!std::isfinite(bad.value)) return diagnosis("E0401", place + " is not finite");
+        const std::string range = range_text(volume_.pixel_type);
+        const bool is_noise = volume_.kind == "noise_volume";
+        const bool is_half = volume_.pixel_type == PixelType::half;
+        return diagnosis(
+            "E0402", fmt::format("{} is {}, outside {}", place, bad.value, range),
+            fmt::format(
                 "{}bake it as {}",
                 is_noise
                     ? fmt::format(
                           "bring it into {} with the channel's remap, smoothstep or clamp, or ",
-                          range_text(volume_.pixel_type))
+                          range)
                     : "",
-                is_half ? "float" : "half or float");
-        }
-        return result;
+                is_half ? "float" : "half or float"));
     }
 
     const Baked& volume_;

@@ -11,6 +11,7 @@
 #include "bakers/light/sky_view_mapping.h"
 #include "bakers/math/quadrature.h"
 #include "bakers/math/transcendental.h"
+#include "config/text/mapped.h"
 
 namespace skybake {
 namespace {
@@ -155,10 +156,9 @@ void Surface::add_integral(const std::vector<std::size_t>& at,
                            const Light& light, std::vector<Spectrum>& sums) const {
     if (at.empty()) return;
     const std::vector<WeightedAngle>& azimuths = directions.azimuths;
-    std::vector<double> azimuth_cosines;
-    for (const WeightedAngle& azimuth : azimuths) {
-        azimuth_cosines.push_back(std::clamp(cosine_of(azimuth.angle), -1.0, 1.0));
-    }
+    const auto azimuth_cosines = mapped<double>(azimuths, [&](const WeightedAngle& azimuth) {
+        return std::clamp(cosine_of(azimuth.angle), -1.0, 1.0);
+    });
     std::vector<SkyRay> rays;
     for (const WeightedAngle& zenith : directions.zeniths) {
         const double mu = std::clamp(cosine_of(zenith.angle), 0.0, 1.0);
@@ -191,9 +191,7 @@ void Surface::add_single(const std::vector<double>& sun_cosines, int nodes,
         add_integral(
             suns, sun_cosines, directions,
             [](const SkyRow& row, const std::vector<SkyRay>& rays) {
-                std::vector<Spectrum> values;
-                for (const SkyRadiance& light : row.radiance(rays)) values.push_back(light.single);
-                return values;
+                return mapped<Spectrum>(row.radiance(rays), &SkyRadiance::single);
             },
             sums);
     };

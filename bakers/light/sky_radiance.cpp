@@ -9,6 +9,7 @@
 #include "bakers/air/optical_depth.h"
 #include "bakers/light/multiple_scattering_quadrature.h"
 #include "bakers/math/transcendental.h"
+#include "config/text/mapped.h"
 
 namespace skybake {
 namespace {
@@ -165,11 +166,9 @@ std::vector<double> SkyIntegrator::cuts_km(const SkyRay& ray) const {
 }
 
 std::vector<Spectrum> SkyIntegrator::phases(const SkyRay& ray) const {
-    std::vector<Spectrum> values;
-    for (const SkyLayer& layer : medium_.layers) {
-        values.push_back(first_phase_values(layer, ray.one_minus_cosine, ray.one_plus_cosine));
-    }
-    return values;
+    return mapped<Spectrum>(medium_.layers, [&](const SkyLayer& layer) {
+        return first_phase_values(layer, ray.one_minus_cosine, ray.one_plus_cosine);
+    });
 }
 
 void SkyIntegrator::add_piece(const SkyRay& ray, const std::vector<Spectrum>& phases,

@@ -8,6 +8,7 @@
 #include "bakers/air/ray.h"
 #include "bakers/light/sky_ray.h"
 #include "bakers/math/transcendental.h"
+#include "config/text/mapped.h"
 
 namespace skybake {
 namespace {
@@ -266,18 +267,14 @@ std::vector<Spectrum> SkyRow::multiple(const RayOfAzimuth& ray_at,
     const int count = azimuth_nodes();
     const bool interpolates = azimuth_cosines.size() > static_cast<std::size_t>(count);
     const std::vector<double> points = chebyshev_points(interpolates ? count : 0);
-    std::vector<SkyRay> rays;
-    for (const double point : points) rays.push_back(ray_at(point));
+    auto rays = mapped<SkyRay>(points, [&](const double point) { return ray_at(point); });
     for (std::size_t i = 0; !interpolates && i < azimuth_cosines.size(); ++i) {
         rays.push_back(ray_at(azimuth_cosines[i]));
     }
     std::vector<Spectrum> values = multiple(rays);
     if (!interpolates) return values;
-    std::vector<Spectrum> interpolated;
-    for (const double cosine : azimuth_cosines) {
-        interpolated.push_back(interpolate(values, points, cosine));
-    }
-    return interpolated;
+    return mapped<Spectrum>(
+        azimuth_cosines, [&](const double cosine) { return interpolate(values, points, cosine); });
 }
 
 Spectrum SkyRow::ground_of(const SkyRay& ray) const {

@@ -13,7 +13,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "bakers/air/cloud_optics.h"
+#include "bakers/air/cloud_phase.h"
 #include "bakers/math/memory.h"
 #include "config/sections/cloud.h"
 

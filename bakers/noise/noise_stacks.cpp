@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "bakers/math/transcendental.h"
+#include "config/text/mapped.h"
 
 namespace skybake::noise {
 namespace {
@@ -82,9 +83,7 @@ double lowest_cells(const Noise& noise) {
 
 std::vector<double> weights_of(const NoiseOctaves& octaves) {
     const double sum = std::accumulate(octaves.gains.begin(), octaves.gains.end(), 0.0);
-    std::vector<double> weights;
-    for (const double gain : octaves.gains) weights.push_back(gain / sum);
-    return weights;
+    return mapped<double>(octaves.gains, [&](const double gain) { return gain / sum; });
 }
 
 std::uint64_t Keys::operator()(Purpose purpose, const NoiseOctaves& octaves, std::size_t i) const {

@@ -13,6 +13,7 @@
 #include "bakers/plot/chart.h"
 #include "bakers/render/sky_view.h"
 #include "config/assets/bruneton.h"
+#include "config/text/mapped.h"
 
 namespace skybake {
 namespace {
@@ -38,10 +39,9 @@ std::vector<Spectrum> LightOfWay::find(const LightWay& way,
 
 std::vector<Spectrum> LightOfWay::march(const LightWay& way,
                                         const std::vector<const BakedAsset*>& assets) const {
-    std::vector<PreviewAsset> stored;
-    for (const BakedAsset* asset : assets) {
-        stored.push_back({describe(asset->baked), asset->baked.image(), {}});
-    }
+    auto stored = mapped<PreviewAsset>(assets, [&](const BakedAsset* asset) {
+        return PreviewAsset{describe(asset->baked), asset->baked.image(), {}};
+    });
     const auto tables = make_sky_tables(stored[0], stored.size() == 1 ? nullptr : &stored[1]);
     // The views show the air alone.
     SkyMedium over_black_ground = truth_.packets().front()->medium();
@@ -60,8 +60,7 @@ std::vector<Spectrum> LightOfWay::march(const LightWay& way,
 
 std::vector<Spectrum> LightOfWay::fetch(const BakedAsset& asset) const {
     const auto& bake = asset.bake->as<BrunetonBake>();
-    std::vector<SkySample> skies;
-    for (const LightView& view : truth_.views()) skies.push_back(view.sky);
+    const auto skies = mapped<SkySample>(truth_.views(), &LightView::sky);
     return sky_of_scattering(truth_.packets(), bake, places_of(parameters_, asset), skies)(
         asset.baked, threads_);
 }

@@ -7,6 +7,7 @@
 #include "bakers/assets/sky/sky_lights.h"
 #include "bakers/light/sky_view_mapping.h"
 #include "config/sweep/sobol.h"
+#include "config/text/mapped.h"
 
 namespace skybake {
 
@@ -101,11 +102,10 @@ TraceOfPlace trace_of(Draws light, const std::shared_ptr<const TracedAir>& air,
 }
 
 std::vector<std::shared_ptr<const TracedAir>> packets_of(const Parameters& parameters) {
-    std::vector<std::shared_ptr<const TracedAir>> packets;
-    for (const config::Atmosphere& packet : light_packets(parameters)) {
-        packets.push_back(std::make_shared<const TracedAir>(packet));
-    }
-    return packets;
+    return mapped<std::shared_ptr<const TracedAir>>(
+        light_packets(parameters), [&](const config::Atmosphere& packet) {
+            return std::make_shared<const TracedAir>(packet);
+        });
 }
 
 TracedLight light_of(Draws what, const Parameters& parameters,
@@ -113,8 +113,7 @@ TracedLight light_of(Draws what, const Parameters& parameters,
                      const std::vector<LightView>& views) {
     TracedLight light;
     light.channels = light_channels(parameters);
-    std::vector<SkySample> skies;
-    for (const LightView& view : views) skies.push_back(view.sky);
+    const auto skies = mapped<SkySample>(views, &LightView::sky);
     light.places = places_of(skies);
     for (const auto& air : packets) light.traced.push_back(trace_of(what, air, views));
     return light;
@@ -161,9 +160,8 @@ std::vector<Spectrum> SceneTruth::as_compared(std::vector<Spectrum> light) const
 }
 
 std::vector<Spectrum> SceneTruth::light() const {
-    std::vector<Spectrum> light;
-    for (const TracedPlace& place : comparison_.places()) light.push_back(place.light.radiance);
-    return light;
+    return mapped<Spectrum>(comparison_.places(),
+                            [&](const TracedPlace& place) { return place.light.radiance; });
 }
 
 }  // namespace skybake

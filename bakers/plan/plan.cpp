@@ -10,6 +10,7 @@
 #include "bakers/io/files/to_string.h"
 #include "bakers/plan/plan_files.h"
 #include "config/sections/cloud.h"
+#include "config/text/mapped.h"
 
 namespace skybake {
 
@@ -89,12 +90,6 @@ WayLimits limits_of(const PlanRequest& request, const config::Scene& scene,
 
 namespace {
 
-std::vector<WayFigures> figures_of(const std::vector<MeasuredWay>& ways) {
-    std::vector<WayFigures> figures;
-    for (const MeasuredWay& way : ways) figures.push_back(way.figures);
-    return figures;
-}
-
 // Says which figures the best ways reach.
 Diagnostic unreached(const PlanSubject& subject, const std::vector<WayFigures>& figures) {
     WayFigures least = figures.front();
@@ -103,26 +98,24 @@ Diagnostic unreached(const PlanSubject& subject, const std::vector<WayFigures>& 
         least.fetches = std::min(least.fetches, way.fetches);
         least.bytes = std::min(least.bytes, way.bytes);
     }
-    Diagnostic problem;
-    problem.code = "E0408";
-    problem.message = fmt::format(
-        "no way to draw {} keeps the limits; each by itself, the least error is {:.3g} %, the "
-        "fewest fetches are {:.0f} and the least size is {}",
-        name_of(subject), 100 * least.error, least.fetches, byte_size_text(least.bytes));
-    problem.label = "raise a limit; the table shows what each way has";
-    return problem;
+    return diagnosis(
+        "E0408",
+        fmt::format(
+            "no way to draw {} keeps the limits; each by itself, the least error is {:.3g} %, the "
+            "fewest fetches are {:.0f} and the least size is {}",
+            name_of(subject), 100 * least.error, least.fetches, byte_size_text(least.bytes)),
+        "raise a limit; the table shows what each way has");
 }
 
 }  // namespace
 
 Outcome<Plan> without_light(const PlanSubject& subject) {
-    Diagnostic problem;
-    problem.code = "E0409";
-    problem.message = fmt::format(
-        "paths of light find too little light in this scene to compare ways to draw {} with",
-        name_of(subject));
-    problem.label = "raise the suns of [scene], or its cameras above dense air";
-    return {{}, {std::move(problem)}};
+    return diagnosis(
+        "E0409",
+        fmt::format(
+            "paths of light find too little light in this scene to compare ways to draw {} with",
+            name_of(subject)),
+        "raise the suns of [scene], or its cameras above dense air");
 }
 
 std::vector<std::size_t> by_error(const std::vector<MeasuredWay>& ways) {
@@ -136,7 +129,7 @@ Outcome<Plan> chosen(Plan plan, std::vector<Diagnostic> diagnostics) {
     const SkyError& of_first = plan.ways.front().error;
     if (of_first.points == 0 && of_first.left_out > 0) return without_light(plan.subject);
     plan.reference = of_first.reference;
-    const std::vector<WayFigures> figures = figures_of(plan.ways);
+    const auto figures = mapped<WayFigures>(plan.ways, &MeasuredWay::figures);
     const std::vector<bool> front = front_of(figures);
     for (std::size_t i = 0; i < front.size(); ++i) plan.ways[i].on_front = front[i];
     plan.knee = knee_of(figures);

@@ -24,23 +24,19 @@ constexpr double kLightPaths = 3 << 19;
 
 std::optional<Diagnostic> obstacle(const PlanSubject& subject, const Parameters& parameters) {
     if (!(parameters.atmosphere.top_radius.meters > 0)) {
-        Diagnostic problem;
-        problem.code = "E0105";
-        problem.message = fmt::format("the recipe has no [atmosphere], so `plan` cannot draw {}",
-                                      name_of(subject));
-        return problem;
+        return diagnosis("E0105",
+                         fmt::format("the recipe has no [atmosphere], so `plan` cannot draw {}",
+                                     name_of(subject)));
     }
     if (parameters.wavelengths.size() <= kMaxChannels || holds_colors(parameters)) {
         return std::nullopt;
     }
-    Diagnostic problem;
-    problem.code = "E0147";
-    problem.message = fmt::format(
-        "`plan` compares light of at most four wavelengths, or colours of any number; "
-        "the recipe has {}, and [color] has no space",
-        parameters.wavelengths.size());
-    problem.label = "--set 'wavelengths=\"best 4\"' takes four";
-    return problem;
+    return diagnosis(
+        "E0147",
+        fmt::format("`plan` compares light of at most four wavelengths, or colours of any number; "
+                    "the recipe has {}, and [color] has no space",
+                    parameters.wavelengths.size()),
+        "--set 'wavelengths=\"best 4\"' takes four");
 }
 
 // The scene has too few or too many suns for pictures and no other way is left, or `sky_by` allows no
@@ -48,16 +44,15 @@ std::optional<Diagnostic> obstacle(const PlanSubject& subject, const Parameters&
 Diagnostic no_ways(const PlanSubject& subject, const SceneRange& range) {
     const std::size_t suns = range.suns_deg.size();
     const bool has_suns = has_viewed_suns(range);
-    Diagnostic problem;
-    problem.code = suns == 0 || has_suns ? "E0105" : "E0110";
-    problem.message = fmt::format(
-        "no way to draw {} is left: pictures are compared for one to {} suns, and the scene has {}",
-        name_of(subject), kMostViewedSuns, suns);
-    problem.label = has_suns ? "allow \"march\" or \"picture\" in `sky_by` of [scene]"
-                    : subject.draws == config::Draws::surroundings
-                        ? "state the elevations of one to four `suns` in [scene]"
-                        : "state `suns` in [scene], or allow \"march\" in `sky_by`";
-    return problem;
+    const char* const label = has_suns ? "allow \"march\" or \"picture\" in `sky_by` of [scene]"
+                              : subject.draws == config::Draws::surroundings
+                                  ? "state the elevations of one to four `suns` in [scene]"
+                                  : "state `suns` in [scene], or allow \"march\" in `sky_by`";
+    return diagnosis(suns == 0 || has_suns ? "E0105" : "E0110",
+                     fmt::format("no way to draw {} is left: pictures are compared for one to {} "
+                                 "suns, and the scene has {}",
+                                 name_of(subject), kMostViewedSuns, suns),
+                     label);
 }
 
 // A recipe with all that the ways need.
@@ -74,10 +69,10 @@ Outcome<PlannedScene> planned_scene(const PlanRequest& request, config::Draws li
     const Parameters& parameters = recipe.value->parameters;
     PlannedScene scene;
     scene.subject.draws = light;
-    if (auto problem = obstacle(scene.subject, parameters)) return {{}, {std::move(*problem)}};
+    if (auto problem = obstacle(scene.subject, parameters)) return std::move(*problem);
     scene.range = range_of(*parameters.scene, shell_of(parameters.atmosphere));
     scene.ways = light_ways(light, parameters, scene.range);
-    if (scene.ways.empty()) return {{}, {no_ways(scene.subject, scene.range)}};
+    if (scene.ways.empty()) return no_ways(scene.subject, scene.range);
     std::erase_if(scene.ways, [&](const Way& way) { return request.leaves_out(way); });
     scene.recipe = std::move(*recipe.value);
     return {std::move(scene), {}};

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "bakers/plot/chart_points.h"
+#include "config/text/mapped.h"
 
 namespace skybake {
 namespace {
@@ -93,12 +94,6 @@ class LegendRows {
     int last_row_ = 0;
 };
 
-std::vector<std::string> names_of(const std::vector<ChartLine>& lines) {
-    std::vector<std::string> names;
-    for (const ChartLine& line : lines) names.push_back(line.name);
-    return names;
-}
-
 // --- One chart ----------------------------------------------------------------------------------
 
 // Lays out a chart, including everything around its plot, and draws it.
@@ -109,7 +104,7 @@ class ChartLayout {
           title_style_(style),
           across_(axis_ticks(chart.across, double{widest_label} / chart.width)),
           up_(axis_ticks(chart.up, tick_gap_up(chart.height))),
-          legend_(names_of(chart.lines), chart.width) {
+          legend_(mapped<std::string>(chart.lines, &ChartLine::name), chart.width) {
         if (chart.colours) {
             bar_ = axis_ticks(chart.colours->axis(), tick_gap_up(chart.height));
             room_right_ = plot_to_bar + bar_width + 8 + widest(bar_) + 20;
@@ -283,9 +278,7 @@ std::vector<double> all_of(const std::vector<ChartLine>& lines,
 }
 
 std::vector<double> all_of(const std::vector<ChartPoint>& points, double ChartPoint::*value) {
-    std::vector<double> all;
-    for (const ChartPoint& point : points) all.push_back(point.*value);
-    return all;
+    return mapped<double>(points, [&](const ChartPoint& point) { return point.*value; });
 }
 
 }  // namespace

@@ -157,20 +157,17 @@ std::optional<Diagnostic> chart_problem() {
         return file_error("E0300", "", "cannot draw charts: " + loaded.reason);
     }
     if (loaded.codec->has_font()) return std::nullopt;
-    Diagnostic diagnostic =
-        file_error("W0302", "", "charts have no text: the font DejaVu Sans is not installed");
-    diagnostic.severity = Severity::warning;
-    return diagnostic;
+    return diagnosis("W0302", "charts have no text: the font DejaVu Sans is not installed");
 }
 
 Outcome<std::string> png_bytes(const Picture& picture) {
     const LoadedCodec<ImageCodec>& loaded = image_codec();
     if (loaded.codec == nullptr) {
-        return {{}, {file_error("E0300", "", "cannot write pictures: " + loaded.reason)}};
+        return file_error("E0300", "", "cannot write pictures: " + loaded.reason);
     }
     EncodedPicture png = loaded.codec->encode_png(picture.width, picture.height, picture.rgb);
     if (!png.problem.empty()) {
-        return {{}, {file_error("E0500", "", "cannot write a picture: " + png.problem)}};
+        return file_error("E0500", "", "cannot write a picture: " + png.problem);
     }
     return {std::move(png.bytes), {}};
 }

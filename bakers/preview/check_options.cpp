@@ -99,20 +99,18 @@ Outcome<PreviewOptions> completed(PreviewOptions options, const Recipe* recipe,
                                   const LitPictures& lit) {
     const bool by_angles = !options.sun_elevations_deg.empty() || options.sun_azimuth_deg;
     if (options.at && by_angles) {
-        return {{},
-                {option_fault("--at excludes --sun-elevation and --sun-azimuth",
-                              "the time and the place say where the sun stands")}};
+        return option_fault("--at excludes --sun-elevation and --sun-azimuth",
+                            "the time and the place say where the sun stands");
     }
     const bool place_is_asked = options.place.has_value();
     const auto preview = recipe != nullptr ? config::preview_of(*recipe) : std::nullopt;
     if (preview) take_section(*preview, lit, options);
     if (options.at && !options.place) {
-        return {{},
-                {option_fault("--at needs a place",
-                              "give --place 47.4,8.5, or latitude and longitude in [preview]")}};
+        return option_fault("--at needs a place",
+                            "give --place 47.4,8.5, or latitude and longitude in [preview]");
     }
     if (place_is_asked && !options.at) {
-        return {{}, {option_fault("--place needs a time", "give --at \"2026-06-21 18:30\"")}};
+        return option_fault("--place needs a time", "give --at \"2026-06-21 18:30\"");
     }
     if (options.at) place_sun(lit.clouds, options);
     return {std::move(options), {}};
@@ -159,7 +157,7 @@ bool reaches_sides(const PreviewAsset& volume) {
 }  // namespace
 
 Diagnostic option_fault(std::string message, std::string label) {
-    return {Severity::error, "E0001", std::move(message), {}, std::move(label)};
+    return diagnosis("E0001", std::move(message), std::move(label));
 }
 
 LitPictures lit_pictures_of(std::span<const Bake> bakes) {
@@ -229,12 +227,11 @@ std::optional<Diagnostic> camera_above_air(const PreviewAssets& assets,
     const config::Atmosphere& atmosphere = assets.recipe->parameters.atmosphere;
     const double top_m = atmosphere.top_radius.meters - atmosphere.ground_radius.meters;
     if (*options.altitude_m <= top_m) return std::nullopt;
-    Diagnostic diagnostic;
-    diagnostic.code = "E0110";
-    diagnostic.message = fmt::format(
-        "the altitude of the camera, {:g} km, is above the top of the atmosphere, {:g} km",
-        *options.altitude_m / 1000, top_m / 1000);
-    return diagnostic;
+    return diagnosis(
+        "E0110",
+        fmt::format(
+            "the altitude of the camera, {:g} km, is above the top of the atmosphere, {:g} km",
+            *options.altitude_m / 1000, top_m / 1000));
 }
 
 std::vector<Diagnostic> clouds_cut_by_tile(const PreviewAssets& assets,
@@ -244,14 +241,12 @@ std::vector<Diagnostic> clouds_cut_by_tile(const PreviewAssets& assets,
     for (const PreviewAsset& asset : assets.assets) {
         if (asset.entry.kind != "cloud_volume" || asset.voxels.empty()) continue;
         if (!reaches_sides(asset)) continue;
-        Diagnostic warning;
-        warning.severity = Severity::warning;
-        warning.code = "W0218";
-        warning.message = fmt::format(
-            "`{}` reaches the sides of its tile: a picture of a single one shows walls there",
-            asset.entry.name);
-        warning.label = "show the layer, or give the cloud a larger extent";
-        warnings.push_back(std::move(warning));
+        warnings.push_back(diagnosis(
+            "W0218",
+            fmt::format(
+                "`{}` reaches the sides of its tile: a picture of a single one shows walls there",
+                asset.entry.name),
+            "show the layer, or give the cloud a larger extent"));
     }
     return warnings;
 }

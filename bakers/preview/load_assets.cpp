@@ -69,12 +69,10 @@ Diagnostic no_file(const ManifestAsset& entry, const fs::path& folder) {
 std::optional<Diagnostic> other_bytes(const fs::path& path, const ManifestFile& file) {
     const Outcome<FileFingerprint> found = fingerprint(path);
     if (file.xxh3.empty() || !found.value || found.value->xxh3 == file.xxh3) return std::nullopt;
-    Diagnostic warning = file_error(
+    return file_error(
         "W0304", path.string(),
         fmt::format("`{}` does not match {}: the figures there are those of another file",
                     path.string(), manifest_name));
-    warning.severity = Severity::warning;
-    return warning;
 }
 
 // Whether an error is among the diagnostics, so that loading cannot go on.
@@ -164,9 +162,8 @@ Outcome<PreviewAssets> load_folder(const fs::path& path, LoadedTexels texels) {
     const Outcome<Manifest> manifest = read_manifest_file(place.file);
     if (!manifest.value) return {{}, manifest.diagnostics};
     if (manifest.value->assets.empty()) {
-        return {{},
-                {file_error("E0304", place.file.string(),
-                            fmt::format("`{}` names no asset", place.file.string()))}};
+        return file_error("E0304", place.file.string(),
+                          fmt::format("`{}` names no asset", place.file.string()));
     }
     PreviewAssets shown;
     shown.title = folder_title(place.folder);

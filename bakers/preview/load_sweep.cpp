@@ -191,9 +191,8 @@ Outcome<PreviewSweep> load_sweep(const fs::path& folder) {
     } catch (const nlohmann::json::exception& error) {
         reason = error.what();
     }
-    return {{},
-            {file_error("E0304", file.string(),
-                        fmt::format("cannot read `{}` as a sweep: {}", file.string(), reason))}};
+    return file_error("E0304", file.string(),
+                      fmt::format("cannot read `{}` as a sweep: {}", file.string(), reason));
 }
 
 }  // namespace skybake

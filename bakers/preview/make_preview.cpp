@@ -239,8 +239,7 @@ Outcome<PreviewPage> make_preview(const PreviewAssets& assets, const PreviewOpti
     std::shared_ptr<PictureLight>& light = complete.value->light;
     if (light == nullptr) light = std::make_shared<PictureLight>(options.intermediates);
     if (options.live) return make_live_preview(assets, *complete.value);
-    if (auto problem = camera_above_air(assets, *complete.value))
-        return {{}, {std::move(*problem)}};
+    if (auto problem = camera_above_air(assets, *complete.value)) return std::move(*problem);
     Outcome<PreviewPage> page = Preview(assets, *complete.value).make();
     for (Diagnostic& warning : clouds_cut_by_tile(assets, *complete.value)) {
         if (page.value) page.value->notes.push_back(warning.message);

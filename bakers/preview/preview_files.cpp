@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <utility>
 
+#include "bakers/assets/description/glsl_lookup.h"
 #include "bakers/io/files/file_io.h"
+#include "bakers/io/files/output_folder.h"
 #include "bakers/math/parallel.h"
-#include "bakers/preview/live/live_page.h"
+#include "bakers/preview/page_text.h"
 
 namespace skybake {
 
@@ -84,6 +87,10 @@ std::string PictureEncoder::free_name(std::string_view name) {
 namespace {
 
 namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+// The file from which a page that follows a recipe takes what has changed.
+constexpr const char* live_scene_name = "live_scene.js";
 
 void append(const std::vector<PagePicture>& pictures, std::vector<const PagePicture*>& all) {
     for (const PagePicture& picture : pictures) all.push_back(&picture);
@@ -102,12 +109,58 @@ std::vector<const PagePicture*> pictures_of(const PreviewPage& page) {
     return all;
 }
 
-Diagnostic foreign_file(const fs::path& path) {
-    Diagnostic diagnostic = file_error(
-        "E0303", path.string(),
-        fmt::format("`{}` already exists and was not written by a preview", path.string()));
-    diagnostic.label = "overwrite it with --force, or choose another folder with -o";
-    return diagnostic;
+std::string shaders_json() {
+    Json shaders;
+    for (const char* name : {"sky", "tiles", "clouds", "light", "direct", "picture"}) {
+        shaders[name] = embedded_text(std::string(name) + ".glsl");
+    }
+    shaders["screen"] =
+        fmt::format("{}\n{}", published_lookup("film"), embedded_text("screen.glsl"));
+    return safe_in_script(shaders.dump());
+}
+
+// Lists the files beside the page, as pages of pictures list theirs.
+std::string files_json(const PreviewPage& page) {
+    Json files = Json::array();
+    for (const std::string& name : page.retired) files.push_back({{"file", name}});
+    if (page.watch_revision > 0) files.push_back({{"file", live_scene_name}});
+    return safe_in_script(files.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
+// Returns a page that renders a scene while one flies through it: one HTML file that contains everything
+// it shows. Where the browser cannot, it shows the pictures of the page. It needs no other file and no
+// network, except that a page that follows a recipe reads the files page_state_name and live_scene_name
+// beside it.
+std::string live_html(const PreviewPage& page) {
+    return filled(embedded_text("live.html"),
+                  {{"generator", html_text(generator())},
+                   {"title", html_text(page.title)},
+                   {"style", std::string(embedded_text("live.css"))},
+                   {"pictures", pictures_html(page)},
+                   {"shaders", shaders_json()},
+                   {"scene", safe_in_script(page.live_scene)},
+                   {"files", files_json(page)},
+                   {"renderer", std::string(embedded_text("live_diffuse.js")) +
+                                    std::string(embedded_text("live_clouds.js")) +
+                                    std::string(embedded_text("live_renderer.js"))},
+                   {"script", std::string(embedded_text("live.js"))},
+                   {"watch", watch_element(page.watch_revision)}});
+}
+
+// Returns the files of such a page, itself as the last.
+std::vector<PreviewFile> live_files(const PreviewPage& page) {
+    std::vector<PreviewFile> files;
+    if (page.watch_revision > 0) {
+        files.push_back({live_scene_name, fmt::format("skybakeScene({}, {});\n",
+                                                      page.watch_revision, page.live_scene)});
+    }
+    files.push_back({page_name, live_html(page)});
+    return files;
+}
+
+std::vector<std::string> live_file_names(const PreviewPage& page) {
+    if (page.watch_revision == 0) return {page_name};
+    return {live_scene_name, page_name};
 }
 
 }  // namespace
@@ -148,7 +201,7 @@ std::vector<Diagnostic> foreign_preview_files(const fs::path& folder,
         std::error_code error;
         if (!fs::exists(fs::symlink_status(folder / name, error))) continue;
         if (std::ranges::find(earlier, name) != earlier.end()) continue;
-        diagnostics.push_back(foreign_file(folder / name));
+        diagnostics.push_back(foreign_file(folder / name, "was not written by a preview"));
     }
     return diagnostics;
 }

@@ -18,10 +18,10 @@
 #include "bakers/preview/pictures/cloud_pictures.h"
 #include "bakers/preview/sweep_sheet.h"
 #include "bakers/preview/sweep_table.h"
+#include "bakers/render/cloud_view.h"
 #include "bakers/render/sky_tables.h"
 #include "bakers/render/sky_view.h"
 #include "bakers/render/tone_curve.h"
-#include "bakers/render/white_balance.h"
 
 namespace skybake {
 
@@ -57,10 +57,6 @@ std::string light_words(const PreviewOptions& options, double exposure,
                        sun_text(sun_elevation_degrees));
 }
 
-double sun_elevation_deg(const PreviewOptions& options) {
-    return options.sun_elevations_deg.empty() ? 10 : options.sun_elevations_deg.front();
-}
-
 std::optional<Thumbnail> sky_picture(const PreviewAssets& assets, PreviewOptions& options) {
     const PreviewAsset* transmittance = assets.of_kind("transmittance");
     const PreviewAsset* scattering = assets.of_kind("multiple_scattering");
@@ -79,7 +75,8 @@ std::optional<Thumbnail> sky_picture(const PreviewAssets& assets, PreviewOptions
     const double thickness_km =
         (atmosphere.top_radius.meters - atmosphere.ground_radius.meters) / 1000;
     view.camera_altitude_km = std::min(options.altitude_m.value_or(200) / 1000, thickness_km);
-    view.sun_elevation_degrees = sun_elevation_deg(options);
+    view.sun_elevation_degrees =
+        options.sun_elevations_deg.empty() ? 10 : options.sun_elevations_deg.front();
     const SkyMedium medium = make_sky_medium(atmosphere);
     tables.value->screen = daylight_screen({medium, *tables.value}, options.threads);
     Image2<float> radiance = render_sky(medium, *tables.value, view, options.threads);

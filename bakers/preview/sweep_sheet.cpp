@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "bakers/plot/chart.h"
+#include "config/text/mapped.h"
 
 namespace skybake {
 namespace {
@@ -118,10 +119,8 @@ std::optional<PreviewPicture> difference_sheet(const PreviewSweep& sweep,
     const int largest = largest_difference(pictures, first);
     if (largest == 0) return std::nullopt;
     const int gain = std::max(1, 127 / largest);
-    std::vector<Picture> differences;
-    for (const Picture& picture : pictures) {
-        differences.push_back(difference_picture(picture, first, gain));
-    }
+    const auto differences = mapped<Picture>(
+        pictures, [&](const Picture& picture) { return difference_picture(picture, first, gain); });
     PreviewPicture sheet;
     sheet.name = "contact_sheet_difference";
     sheet.title = "Difference from the first variant";

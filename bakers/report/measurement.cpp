@@ -14,6 +14,7 @@
 #include "config/assets/asset_kind.h"
 #include "config/fields/fields.h"
 #include "config/text/key_path.h"
+#include "config/text/mapped.h"
 
 namespace skybake {
 namespace {
@@ -34,21 +35,18 @@ std::vector<int> numbers_of(std::string_view toml) {
 
 // Multiplies numbers above 1, which stay at 2 or above.
 std::string scaled(const std::vector<int>& numbers, double factor, bool is_list) {
-    std::vector<int> result;
-    for (const int number : numbers) {
-        result.push_back(number < 2 ? number : std::max(2, static_cast<int>(number * factor)));
-    }
+    auto result = mapped<int>(numbers, [&](const int number) {
+        return number < 2 ? number : std::max(2, static_cast<int>(number * factor));
+    });
     return is_list ? fmt::format("[{}]", fmt::join(result, ", ")) : std::to_string(result.front());
 }
 
 // Returns the other values of a key, as TOML.
 std::vector<std::string> other_values(const config::Field& field, const std::string& own) {
-    std::vector<std::string> values;
-    for (const config::Choice& choice : field.choices) {
-        values.push_back(field.kind == config::Kind::choice_list
-                             ? fmt::format("[\"{}\"]", choice.name)
-                             : fmt::format("\"{}\"", choice.name));
-    }
+    auto values = mapped<std::string>(field.choices, [&](const config::Choice& choice) {
+        return field.kind == config::Kind::choice_list ? fmt::format("[\"{}\"]", choice.name)
+                                                       : fmt::format("\"{}\"", choice.name);
+    });
     const std::vector<int> numbers = numbers_of(own);
     if (field.choices.empty() && !numbers.empty()) {
         for (const double factor : {0.5, 2.0}) {

@@ -202,12 +202,11 @@ std::vector<Diagnostic> foreign_report_files(const fs::path& folder,
         // PNG files and pages do not say whether a plan made them: they count as a plan's if its JSON
         // is beside them.
         if (has_plan && (name.ends_with(".png") || name.ends_with(".html"))) continue;
-        config::Diagnostic diagnostic = file_error(
+        diagnostics.push_back(file_error(
             "E0303", path.string(),
             fmt::format("`{}` already exists, and is neither a report nor a plan of skybake",
-                        path.string()));
-        diagnostic.label = "overwrite it with --force, or choose another folder with -o";
-        diagnostics.push_back(std::move(diagnostic));
+                        path.string()),
+            "overwrite it with --force, or choose another folder with -o"));
     }
     return diagnostics;
 }

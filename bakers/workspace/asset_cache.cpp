@@ -233,10 +233,9 @@ Outcome<std::vector<CacheEntry>> cache_entries(const fs::path& folder) {
         }
     }
     if (error && error != std::errc::no_such_file_or_directory) {
-        return {{},
-                {file_error("E0300", folder.string(),
-                            fmt::format("cannot read the cache `{}`: {}", folder.string(),
-                                        error.message()))}};
+        return file_error(
+            "E0300", folder.string(),
+            fmt::format("cannot read the cache `{}`: {}", folder.string(), error.message()));
     }
     std::ranges::sort(entries, [](const CacheEntry& a, const CacheEntry& b) {
         return std::pair(a.last_use_s, a.key) < std::pair(b.last_use_s, b.key);

@@ -335,12 +335,9 @@ class FolderMaker {
             if (!identity.value) continue;
             const auto reasons = differences(*identity.value, *entry);
             if (reasons.empty()) continue;
-            Diagnostic warning =
-                file_error("W0303", "",
-                           fmt::format("`bake.{}` was kept, although it is out of date: {}",
-                                       section.name, fmt::join(reasons, "; ")));
-            warning.severity = Severity::warning;
-            diagnostics_.push_back(std::move(warning));
+            diagnostics_.push_back(
+                diagnosis("W0303", fmt::format("`bake.{}` was kept, although it is out of date: {}",
+                                               section.name, fmt::join(reasons, "; "))));
         }
     }
 

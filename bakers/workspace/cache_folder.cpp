@@ -100,12 +100,11 @@ bool is_cache_folder(const fs::path& folder) {
 std::vector<Diagnostic> check_cache_folder(const fs::path& folder) {
     // The tag is looked for a second time because another process may write it in the meantime.
     if (is_cache_folder(folder) || may_become_a_cache(folder) || is_cache_folder(folder)) return {};
-    Diagnostic problem = file_error(
+    return {file_error(
         "E0302", folder.string(),
         fmt::format("`{}` is not a cache: it is no empty folder, and holds no {} of skybake",
-                    folder.string(), kTagName));
-    problem.label = "choose another folder, which is made or may be empty";
-    return {std::move(problem)};
+                    folder.string(), kTagName),
+        "choose another folder, which is made or may be empty")};
 }
 
 std::vector<Diagnostic> make_cache_folder(const fs::path& folder) {

@@ -22,18 +22,17 @@ Outcome<bool> copy(const fs::path& from, const ManifestFile& expected, const fs:
     while (output.error() == 0) {
         if (progress.cancelled()) return {false, {}};
         const auto count = input.value->read(position, piece.data(), piece.size());
-        if (!count) return {{}, {input.value->diagnostic()}};
+        if (!count) return input.value->diagnostic();
         if (*count == 0) break;
         const auto bytes = std::string_view(piece).substr(0, *count);
         hasher.update(bytes);
         output.write(bytes);
         position += *count;
     }
-    if (!output.finish()) return {{}, {output.diagnostic()}};
+    if (!output.finish()) return output.diagnostic();
     if (hasher.hex() == expected.xxh3) return {true, {}};
-    return {{},
-            {file_error("E0304", from.string(),
-                        fmt::format("`{}` is not what its manifest says", from.string()))}};
+    return file_error("E0304", from.string(),
+                      fmt::format("`{}` is not what its manifest says", from.string()));
 }
 
 }  // namespace

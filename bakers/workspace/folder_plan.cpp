@@ -113,14 +113,13 @@ void plan_retired(const FolderBake& bake, FolderPlan& plan) {
 
 std::vector<Diagnostic> memory_excess(const FolderPlan& plan, std::optional<double> limit_mib) {
     if (!limit_mib || plan.memory_mib() <= *limit_mib) return {};
-    Diagnostic diagnostic;
-    diagnostic.code = "E0002";
-    diagnostic.message = fmt::format(
-        "baking may need {} of memory, most of it for `bake.{}`; --max-memory allows {}",
-        byte_size_text(plan.memory_mib() * bytes_per_mib), largest_asset(plan)->bake->name,
-        byte_size_text(*limit_mib * bytes_per_mib));
-    diagnostic.label = "raise --max-memory, or bake fewer assets at once with --only";
-    return {std::move(diagnostic)};
+    return {diagnosis(
+        "E0002",
+        fmt::format(
+            "baking may need {} of memory, most of it for `bake.{}`; --max-memory allows {}",
+            byte_size_text(plan.memory_mib() * bytes_per_mib), largest_asset(plan)->bake->name,
+            byte_size_text(*limit_mib * bytes_per_mib)),
+        "raise --max-memory, or bake fewer assets at once with --only")};
 }
 
 // Returns what the writers of an asset's formats do in another way than before, without a change of

@@ -133,15 +133,15 @@ Outcome<bool> HttpCache::fetch(const ManifestFile& file, const fs::path& to) {
     };
     const HttpAnswer answer = this->get(std::move(get));
     if (is_cancelled()) return {false, {}};
-    if (!output.finish()) return {{}, {output.diagnostic()}};
+    if (!output.finish()) return output.diagnostic();
     const bool arrived = answer.status == 200 && answer.problem.empty();
     if (arrived && received == file.bytes && hasher.hex() == file.xxh3) return {true, {}};
     if (arrived || received > file.bytes || is_absent(answer)) {
         found_damage();
-        return {{}, {file_error("E0304", name, "the server does not have this file")}};
+        return file_error("E0304", name, "the server does not have this file");
     }
     fail("GET", answer);
-    return {{}, {file_error("E0300", name, "the server does not send this file")}};
+    return file_error("E0300", name, "the server does not send this file");
 }
 
 // Makes a request that reads. It ends with the time for reading, but a request of up to a second's bytes
@@ -286,10 +286,8 @@ std::vector<Diagnostic> HttpCache::problems() const {
     if (uploads_ended_) sentences.push_back("it did not get all assets, because it is slow");
     if (sentences.empty()) return {};
     const std::string name = without_credentials(url_);
-    Diagnostic warning = file_error(
-        "W0305", "", fmt::format("the cache `{}`: {}", name, fmt::join(sentences, "; ")));
-    warning.severity = Severity::warning;
-    return {std::move(warning)};
+    return {
+        diagnosis("W0305", fmt::format("the cache `{}`: {}", name, fmt::join(sentences, "; ")))};
 }
 
 }  // namespace skybake

@@ -121,17 +121,14 @@ void resolve_aerial_perspective(DecodedSection& bake, const RecipeSoFar& recipe,
 
 }  // namespace
 
-const AssetKind& asset_kind(Tag<AerialPerspectiveBake>) {
-    static const AssetKind kind = make_asset_kind<AerialPerspectiveBake>(
-        {
-            .name = "aerial_perspective",
-            .documentation = "the air between a camera and what it looks at",
-            .needs_atmosphere = true,
-            .use_of_light = UseOfLight::colors,
-        },
+AssetKind asset_kind(Tag<AerialPerspectiveBake>) {
+    return make_asset_kind<AerialPerspectiveBake>(
+        {.name = "aerial_perspective",
+         .documentation = "the air between a camera and what it looks at",
+         .needs_atmosphere = true,
+         .use_of_light = UseOfLight::colors},
         with_file_fields(aerial_perspective_table, {}), reads_of_all_light,
         resolve_aerial_perspective);
-    return kind;
 }
 
 }  // namespace skybake::config

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "config/assets/asset.h"
 #include "config/sections/files.h"
 #include "config/sections/scene.h"
 #include "config/text/quantity.h"
@@ -34,7 +33,5 @@ struct AerialPerspectiveBake : LightFiles {
     SkyOrders orders = SkyOrders::all;
     std::vector<std::string> layers;  // with orders = single: the layers that scatter; empty: all
 };
-
-const AssetKind& asset_kind(Tag<AerialPerspectiveBake>);
 
 }  // namespace skybake::config

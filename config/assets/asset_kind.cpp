@@ -16,14 +16,24 @@
 #include "config/sections/frames.h"
 #include "config/sections/layer.h"
 #include "config/text/key_path.h"
+#include "config/text/mapped.h"
 #include "config/text/text.h"
 
 namespace skybake::config {
+namespace {
+
+template <class Asset>
+const AssetKind& only_kind(Tag<Asset> asset) {
+    static const AssetKind kind = asset_kind(asset);
+    return kind;
+}
+
+}  // namespace
 
 std::span<const AssetKind* const> asset_kinds() {
     static const std::vector<const AssetKind*> kinds = [] {
         std::vector<const AssetKind*> all;
-        for_each_asset([&all](auto asset) { all.push_back(&asset_kind(asset)); });
+        for_each_asset([&all](auto asset) { all.push_back(&only_kind(asset)); });
         return all;
     }();
     return kinds;
@@ -32,7 +42,7 @@ std::span<const AssetKind* const> asset_kinds() {
 const AssetKind& kind_of(const Bake& bake) {
     const AssetKind* kind = nullptr;
     for_each_asset([&]<class Asset>(Tag<Asset> asset) {
-        if (bake.is<Asset>()) kind = &asset_kind(asset);
+        if (bake.is<Asset>()) kind = &only_kind(asset);
     });
     assert(kind);
     return *kind;
@@ -111,8 +121,7 @@ std::vector<const Entry*> bakes_in_file_order(const Table& bakes) {
         const Place& place = entry->key_place;
         return std::make_tuple(place.source ? place.source->order : -1, place.line, place.column);
     };
-    std::vector<const Entry*> entries;
-    for (const Entry& entry : bakes) entries.push_back(&entry);
+    auto entries = mapped<const Entry*>(bakes, [](const Entry& entry) { return &entry; });
     std::ranges::stable_sort(entries,
                              [&](const Entry* a, const Entry* b) { return order(a) < order(b); });
     return entries;
@@ -129,8 +138,7 @@ bool is_in_recipe(const Table& root, const std::string& name) {
 }
 
 std::string what_there_is(const std::string& name, const Atmosphere& atmosphere) {
-    std::vector<std::string_view> names;
-    for (const Layer& layer : atmosphere.layers) names.push_back(layer.name);
+    const auto names = mapped<std::string_view>(atmosphere.layers, &Layer::name);
     if (names.empty()) return "the atmosphere has no layers";
     std::string label = did_you_mean(name, names);
     return label.empty() ? fmt::format("this recipe has {}", fmt::join(names, ", ")) : label;
@@ -210,8 +218,7 @@ std::vector<Bake> decode_bakes(const Table& root, const Parameters& recipe, Deco
         }
     }
     open = divided_into_parts(std::move(open), recipe, entries, decoder);
-    std::vector<Bake> bakes;
-    for (const OpenBake& bake : open) bakes.push_back(bind(bake, recipe));
+    auto bakes = mapped<Bake>(open, [&](const OpenBake& bake) { return bind(bake, recipe); });
     // The bake that an asset is made from may stand after it in the file.
     for (std::size_t i = 0; i < open.size(); ++i) {
         if (open[i].kind->facts.of_another_bake) {

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "config/assets/asset.h"
 #include "config/fields/fields.h"
 #include "config/fields/roles.h"
 #include "config/fields/section_decoder.h"

@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "config/assets/aerial_perspective.h"
+#include "config/assets/asset.h"
 #include "config/assets/blue_noise.h"
 #include "config/assets/bruneton.h"
 #include "config/assets/cloud_distance.h"

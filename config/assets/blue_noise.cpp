@@ -87,17 +87,14 @@ void resolve_blue_noise(DecodedSection& bake, const RecipeSoFar&, Decoder& decod
 
 }  // namespace
 
-const AssetKind& asset_kind(Tag<BlueNoiseBake>) {
-    static const AssetKind kind = make_asset_kind<BlueNoiseBake>(
-        {
-            .name = "blue_noise",
-            .documentation = "a mask of blue noise, also over time, for jitter and dithering",
-        },
+AssetKind asset_kind(Tag<BlueNoiseBake>) {
+    return make_asset_kind<BlueNoiseBake>(
+        {.name = "blue_noise",
+         .documentation = "a mask of blue noise, also over time, for jitter and dithering"},
         with_file_fields(blue_noise_table, {.formats = R"(["bin"])",
                                             .mips = "always 1: means of pixels are no blue noise",
                                             .pixel_type = R"("unorm8")"}),
         nullptr, resolve_blue_noise);
-    return kind;
 }
 
 }  // namespace skybake::config

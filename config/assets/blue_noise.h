@@ -4,7 +4,6 @@
 #include <array>
 #include <cstdint>
 
-#include "config/assets/asset.h"
 #include "config/sections/files.h"
 
 namespace skybake::config {
@@ -18,7 +17,5 @@ struct BlueNoiseBake : AssetFiles {
 
     std::array<int, 3> voxels() const { return {size[0], size[1], frames}; }
 };
-
-const AssetKind& asset_kind(Tag<BlueNoiseBake>);
 
 }  // namespace skybake::config

@@ -262,16 +262,13 @@ void resolve_bruneton(DecodedSection& bake, const RecipeSoFar& so_far, Decoder& 
 
 }  // namespace
 
-const AssetKind& asset_kind(Tag<BrunetonBake>) {
-    static const AssetKind kind = make_asset_kind<BrunetonBake>(
-        {
-            .name = "bruneton",
-            .documentation = "a table of Bruneton's precomputed scattering",
-            .needs_atmosphere = true,
-            .use_of_light = UseOfLight::colors,
-        },
+AssetKind asset_kind(Tag<BrunetonBake>) {
+    return make_asset_kind<BrunetonBake>(
+        {.name = "bruneton",
+         .documentation = "a table of Bruneton's precomputed scattering",
+         .needs_atmosphere = true,
+         .use_of_light = UseOfLight::colors},
         with_file_fields(bruneton_table, {.flip = ""}), reads_of_all_light, resolve_bruneton);
-    return kind;
 }
 
 }  // namespace skybake::config

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "config/assets/asset.h"
 #include "config/sections/files.h"
 
 namespace skybake::config {
@@ -35,8 +34,6 @@ struct BrunetonBake : LightFiles {
 inline bool has_companion(const BrunetonBake& bake) {
     return bake.convention == BrunetonConvention::takram && bake.table == BrunetonTable::scattering;
 }
-
-const AssetKind& asset_kind(Tag<BrunetonBake>);
 
 }  // namespace skybake::config
 

@@ -125,17 +125,14 @@ void resolve_distance(DecodedSection& bake, const RecipeSoFar& recipe, Decoder& 
 
 }  // namespace
 
-const AssetKind& asset_kind(Tag<CloudDistanceBake>) {
-    static const AssetKind kind = make_asset_kind<CloudDistanceBake>(
-        {
-            .name = "cloud_distance",
-            .documentation = "how far it is to a cloud volume's cloud, for rays traced in spheres",
-            .of_another_bake = true,
-        },
+AssetKind asset_kind(Tag<CloudDistanceBake>) {
+    return make_asset_kind<CloudDistanceBake>(
+        {.name = "cloud_distance",
+         .documentation = "how far it is to a cloud volume's cloud, for rays traced in spheres",
+         .of_another_bake = true},
         with_file_fields(distance_table,
                          {.formats = R"(["bin"])", .mips = "number of levels, which is 1"}),
         reads_of_its_source, resolve_distance);
-    return kind;
 }
 
 }  // namespace skybake::config

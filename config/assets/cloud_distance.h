@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "config/assets/asset.h"
 #include "config/sections/files.h"
 #include "config/text/quantity.h"
 
@@ -22,7 +21,5 @@ struct CloudDistanceBake : AssetFiles {
     Length core;                    // depth at which the profile is 1; 0: the volume's greatest
     std::vector<DistanceContent> contents;  // the channels; the first one is the distance
 };
-
-const AssetKind& asset_kind(Tag<CloudDistanceBake>);
 
 }  // namespace skybake::config

@@ -275,16 +275,13 @@ std::size_t channels_of(const CloudLightBake& bake) {
     return static_cast<std::size_t>(std::clamp(coefficients - 4 * (bake.part - 1), 0, 4));
 }
 
-const AssetKind& asset_kind(Tag<CloudLightBake>) {
-    static const AssetKind kind = make_asset_kind<CloudLightBake>(
-        {
-            .name = "cloud_light",
-            .documentation = "the light within a cloud volume, in place of a march towards the sun",
-            .of_another_bake = true,
-        },
+AssetKind asset_kind(Tag<CloudLightBake>) {
+    return make_asset_kind<CloudLightBake>(
+        {.name = "cloud_light",
+         .documentation = "the light within a cloud volume, in place of a march towards the sun",
+         .of_another_bake = true},
         with_file_fields(cloud_light_table, {.formats = R"(["exr"])"}), reads_of,
         resolve_cloud_light);
-    return kind;
 }
 
 }  // namespace skybake::config

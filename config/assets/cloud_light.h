@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "config/assets/asset.h"
 #include "config/sections/files.h"
 #include "config/text/quantity.h"
 
@@ -66,8 +65,6 @@ constexpr bool is_radiance(CloudLightContents contents) {
 
 // Returns the number of channels, 1 to 4 in any recipe that was accepted.
 std::size_t channels_of(const CloudLightBake& bake);
-
-const AssetKind& asset_kind(Tag<CloudLightBake>);
 
 }  // namespace skybake::config
 

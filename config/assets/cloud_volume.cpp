@@ -235,15 +235,11 @@ std::vector<Read> reads_of(const Parameters& parameters, const CloudVolumeBake& 
 
 }  // namespace
 
-const AssetKind& asset_kind(Tag<CloudVolumeBake>) {
-    static const AssetKind kind = make_asset_kind<CloudVolumeBake>(
-        {
-            .name = "cloud_volume",
-            .documentation = "the voxels of a cloud",
-        },
+AssetKind asset_kind(Tag<CloudVolumeBake>) {
+    return make_asset_kind<CloudVolumeBake>(
+        {.name = "cloud_volume", .documentation = "the voxels of a cloud"},
         with_file_fields(cloud_volume_table, {.formats = R"(["vdb"])"}), reads_of,
         resolve_cloud_volume);
-    return kind;
 }
 
 }  // namespace skybake::config

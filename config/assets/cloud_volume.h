@@ -9,7 +9,6 @@
 #include <optional>
 #include <string>
 
-#include "config/assets/asset.h"
 #include "config/sections/cloud.h"
 #include "config/sections/files.h"
 #include "config/text/quantity.h"
@@ -22,8 +21,6 @@ struct CloudVolumeBake : VolumeFrames {
     std::array<Length, 3> extent{};  // edges of the voxels' box; 0: the cloud's
     std::optional<double> cover;     // the share of columns with cloud; none: as coverage gives it
 };
-
-const AssetKind& asset_kind(Tag<CloudVolumeBake>);
 
 // Returns what a cloud volume spans along x, y and up: the bake's own extent or, where it has none,
 // the cloud's.

@@ -220,8 +220,8 @@ std::vector<Read> reads_of(const Parameters& parameters, const EnvironmentBake& 
 
 }  // namespace
 
-const AssetKind& asset_kind(Tag<EnvironmentBake>) {
-    static const AssetKind kind = make_asset_kind<EnvironmentBake>(
+AssetKind asset_kind(Tag<EnvironmentBake>) {
+    return make_asset_kind<EnvironmentBake>(
         {.name = "environment",
          .documentation = "the sky and the ground around a camera, with clouds if wanted",
          .is_table = true,
@@ -229,7 +229,6 @@ const AssetKind& asset_kind(Tag<EnvironmentBake>) {
          .use_of_light = UseOfLight::colors,
          .of_another_bake = true},
         with_file_fields(environment_table, table_files), reads_of, resolve_environment);
-    return kind;
 }
 
 }  // namespace skybake::config

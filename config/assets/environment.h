@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "config/assets/asset.h"
 #include "config/sections/files.h"
 #include "config/sections/scene.h"
 #include "config/text/quantity.h"
@@ -50,7 +49,5 @@ inline bool looks_to_the_sun(const EnvironmentBake& bake) {
     return bake.mapping == EnvironmentMapping::longitude_latitude && !bake.has_clouds() &&
            bake.sun_azimuth.radians == 0;
 }
-
-const AssetKind& asset_kind(Tag<EnvironmentBake>);
 
 }  // namespace skybake::config

@@ -168,21 +168,18 @@ std::array<int, 3> frame_size(const Bake& frame) {
     return {width, height, 1};
 }
 
-const AssetKind& asset_kind(Tag<FlipbookBake>) {
-    static const AssetKind kind = make_asset_kind<FlipbookBake>(
-        {
-            .name = "flipbook",
-            .documentation = "the frames of a sequence in one sheet or texture",
-            .of_another_bake = true,
-            .of_all_frames = true,
-        },
+AssetKind asset_kind(Tag<FlipbookBake>) {
+    return make_asset_kind<FlipbookBake>(
+        {.name = "flipbook",
+         .documentation = "the frames of a sequence in one sheet or texture",
+         .of_another_bake = true,
+         .of_all_frames = true},
         with_file_fields(flipbook_table, {.formats = R"(["png"])",
                                           .mips = "number of levels of detail of each frame by "
                                                   "itself, which `mapping = \"layers\"` may have",
                                           .pixel_type = R"("unorm8")",
                                           .layout = R"("atlas")"}),
         reads_of, resolve_flipbook);
-    return kind;
 }
 
 }  // namespace skybake::config

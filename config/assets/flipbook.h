@@ -4,7 +4,6 @@
 #include <array>
 #include <string>
 
-#include "config/assets/asset.h"
 #include "config/sections/files.h"
 #include "config/sections/parameters.h"
 
@@ -20,8 +19,6 @@ struct FlipbookBake : AssetFiles {
     int slice = 0;         // of a volume, counted from 0
     FlipbookMapping mapping = FlipbookMapping::frames;
 };
-
-const AssetKind& asset_kind(Tag<FlipbookBake>);
 
 // Returns the first frame of the sequence. A recipe that was read has it.
 const Bake& first_frame(const Parameters& parameters, const FlipbookBake& asset);

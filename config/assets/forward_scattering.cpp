@@ -27,15 +27,12 @@ const Row<ForwardScatteringBake> forward_scattering_table[] = {
 
 }  // namespace
 
-const AssetKind& asset_kind(Tag<ForwardScatteringBake>) {
-    static const AssetKind kind = make_asset_kind<ForwardScatteringBake>(
-        {
-            .name = "forward_scattering",
-            .documentation = "sunlight that a cloud scatters on by small angles, of all orders",
-            .is_table = true,
-        },
+AssetKind asset_kind(Tag<ForwardScatteringBake>) {
+    return make_asset_kind<ForwardScatteringBake>(
+        {.name = "forward_scattering",
+         .documentation = "sunlight that a cloud scatters on by small angles, of all orders",
+         .is_table = true},
         with_file_fields(forward_scattering_table, table_files), nullptr);
-    return kind;
 }
 
 }  // namespace skybake::config

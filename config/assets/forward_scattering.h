@@ -5,7 +5,6 @@
 #include <array>
 #include <optional>
 
-#include "config/assets/asset.h"
 #include "config/sections/files.h"
 #include "config/sections/forward.h"
 #include "config/text/quantity.h"
@@ -20,7 +19,5 @@ struct ForwardScatteringBake : AssetFiles {
     Length droplet_diameter{12e-6};  // chooses the phase function of droplets
     double single_scattering_albedo = 1;
 };
-
-const AssetKind& asset_kind(Tag<ForwardScatteringBake>);
 
 }  // namespace skybake::config

@@ -45,17 +45,14 @@ const Row<IrradianceBake> irradiance_table[] = {
 
 }  // namespace
 
-const AssetKind& asset_kind(Tag<IrradianceBake>) {
-    static const AssetKind kind = make_asset_kind<IrradianceBake>(
-        {
-            .name = "irradiance",
-            .documentation = "the light that falls on level surfaces",
-            .is_table = true,
-            .needs_atmosphere = true,
-            .use_of_light = UseOfLight::colors,
-        },
+AssetKind asset_kind(Tag<IrradianceBake>) {
+    return make_asset_kind<IrradianceBake>(
+        {.name = "irradiance",
+         .documentation = "the light that falls on level surfaces",
+         .is_table = true,
+         .needs_atmosphere = true,
+         .use_of_light = UseOfLight::colors},
         with_file_fields(irradiance_table, table_files), reads_of_all_light);
-    return kind;
 }
 
 }  // namespace skybake::config

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "config/assets/asset.h"
 #include "config/sections/files.h"
 #include "config/sections/scene.h"
 
@@ -21,7 +20,5 @@ struct IrradianceBake : LightFiles {
     double max_texel_error = 0;         // quadrature error of a texel; sets the number of points
     MultipleScatteringMapping mapping = MultipleScatteringMapping::twilight;
 };
-
-const AssetKind& asset_kind(Tag<IrradianceBake>);
 
 }  // namespace skybake::config

@@ -71,17 +71,14 @@ std::vector<Read> reads_of(const Parameters& parameters, const MultipleScatterin
 
 }  // namespace
 
-const AssetKind& asset_kind(Tag<MultipleScatteringBake>) {
-    static const AssetKind kind = make_asset_kind<MultipleScatteringBake>(
-        {
-            .name = "multiple_scattering",
-            .documentation = "the light scattered twice or more, per unit of scattering",
-            .is_table = true,
-            .needs_atmosphere = true,
-            .use_of_light = UseOfLight::channels,
-        },
+AssetKind asset_kind(Tag<MultipleScatteringBake>) {
+    return make_asset_kind<MultipleScatteringBake>(
+        {.name = "multiple_scattering",
+         .documentation = "the light scattered twice or more, per unit of scattering",
+         .is_table = true,
+         .needs_atmosphere = true,
+         .use_of_light = UseOfLight::channels},
         with_file_fields(multiple_scattering_table, table_files), reads_of);
-    return kind;
 }
 
 }  // namespace skybake::config

@@ -5,7 +5,6 @@
 #include <array>
 #include <optional>
 
-#include "config/assets/asset.h"
 #include "config/sections/files.h"
 #include "config/sections/scene.h"
 
@@ -23,7 +22,5 @@ struct MultipleScatteringBake : LightFiles {
     MultipleScatteringContent content = MultipleScatteringContent::hillaire;  // method solved
     int degree = 2;                                                           // for content moments
 };
-
-const AssetKind& asset_kind(Tag<MultipleScatteringBake>);
 
 }  // namespace skybake::config

@@ -59,14 +59,10 @@ std::vector<Read> reads_of(const Parameters& parameters, const NoiseVolumeBake& 
 
 }  // namespace
 
-const AssetKind& asset_kind(Tag<NoiseVolumeBake>) {
-    static const AssetKind kind = make_asset_kind<NoiseVolumeBake>(
-        {
-            .name = "noise_volume",
-            .documentation = "the voxels of a noise",
-        },
+AssetKind asset_kind(Tag<NoiseVolumeBake>) {
+    return make_asset_kind<NoiseVolumeBake>(
+        {.name = "noise_volume", .documentation = "the voxels of a noise"},
         with_file_fields(noise_volume_table, {}), reads_of, resolve_noise_volume);
-    return kind;
 }
 
 }  // namespace skybake::config

@@ -4,7 +4,6 @@
 #include <array>
 #include <string>
 
-#include "config/assets/asset.h"
 #include "config/sections/files.h"
 
 namespace skybake::config {
@@ -13,7 +12,5 @@ struct NoiseVolumeBake : VolumeFrames {
     std::string noise;          // NAME of a [noise.NAME]
     std::array<int, 3> size{};  // voxels along x, y, z
 };
-
-const AssetKind& asset_kind(Tag<NoiseVolumeBake>);
 
 }  // namespace skybake::config

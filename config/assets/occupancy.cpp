@@ -139,20 +139,17 @@ void resolve_occupancy(DecodedSection& bake, const RecipeSoFar& recipe, Decoder&
 
 }  // namespace
 
-const AssetKind& asset_kind(Tag<OccupancyBake>) {
-    static const AssetKind kind = make_asset_kind<OccupancyBake>(
-        {
-            .name = "occupancy",
-            .documentation =
-                "which cells of a cloud volume are empty, and how far a ray may leap from them",
-            .of_another_bake = true,
-        },
+AssetKind asset_kind(Tag<OccupancyBake>) {
+    return make_asset_kind<OccupancyBake>(
+        {.name = "occupancy",
+         .documentation =
+             "which cells of a cloud volume are empty, and how far a ray may leap from them",
+         .of_another_bake = true},
         with_file_fields(
             occupancy_table,
             {.formats = R"(["exr"])",
              .mips = "levels of the pyramid of minima and maxima, with the cells themselves"}),
         reads_of_its_source, resolve_occupancy);
-    return kind;
 }
 
 }  // namespace skybake::config

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "config/assets/asset.h"
 #include "config/assets/occupancy_filter.h"
 #include "config/sections/files.h"
 
@@ -22,8 +21,6 @@ struct OccupancyBake : AssetFiles {
     OccupancyRule rule = OccupancyRule::exact;
     std::vector<OccupancyContent> contents;  // the channels, in this order, without duplicates
 };
-
-const AssetKind& asset_kind(Tag<OccupancyBake>);
 
 }  // namespace skybake::config
 

@@ -121,18 +121,14 @@ std::vector<Read> reads_of(const Parameters& parameters, const OpticalDepthBake&
 
 }  // namespace
 
-const AssetKind& asset_kind(Tag<OpticalDepthBake>) {
-    static const AssetKind kind = make_asset_kind<OpticalDepthBake>(
-        {
-            .name = "optical_depth",
-            .documentation =
-                "columns, densities or phase functions of up to four kinds of particles",
-            .needs_atmosphere = true,
-            .use_of_light = UseOfLight::factors,
-        },
+AssetKind asset_kind(Tag<OpticalDepthBake>) {
+    return make_asset_kind<OpticalDepthBake>(
+        {.name = "optical_depth",
+         .documentation = "columns, densities or phase functions of up to four kinds of particles",
+         .needs_atmosphere = true,
+         .use_of_light = UseOfLight::factors},
         with_file_fields(optical_depth_table, {.pixel_type = R"("float")"}), reads_of,
         resolve_optical_depth);
-    return kind;
 }
 
 }  // namespace skybake::config

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "config/assets/asset.h"
 #include "config/sections/files.h"
 #include "config/text/quantity.h"
 
@@ -26,7 +25,5 @@ struct OpticalDepthBake : LightFiles {
     int shells = 0;       // equal_attenuation, uniform
     Length max_altitude;  // equal_attenuation, uniform: the air above it is left out
 };
-
-const AssetKind& asset_kind(Tag<OpticalDepthBake>);
 
 }  // namespace skybake::config

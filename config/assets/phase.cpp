@@ -94,16 +94,13 @@ std::vector<Read> reads_of(const Parameters& parameters, const PhaseBake& bake) 
 
 }  // namespace
 
-const AssetKind& asset_kind(Tag<PhaseBake>) {
-    static const AssetKind kind = make_asset_kind<PhaseBake>(
-        {
-            .name = "phase",
-            .documentation = "how particles or a layer scatter, by angle",
-            .is_table = true,
-            .use_of_light = UseOfLight::factors,
-        },
+AssetKind asset_kind(Tag<PhaseBake>) {
+    return make_asset_kind<PhaseBake>(
+        {.name = "phase",
+         .documentation = "how particles or a layer scatter, by angle",
+         .is_table = true,
+         .use_of_light = UseOfLight::factors},
         with_file_fields(phase_table, table_files), reads_of, resolve_phase);
-    return kind;
 }
 
 }  // namespace skybake::config

@@ -4,7 +4,6 @@
 #include <optional>
 #include <string>
 
-#include "config/assets/asset.h"
 #include "config/sections/files.h"
 
 namespace skybake::config {
@@ -21,7 +20,5 @@ struct PhaseBake : LightFiles {
     PhaseSpacing spacing = PhaseSpacing::best;  // for content phase
     int degree = 0;  // highest degree of the Legendre moments in the manifest
 };
-
-const AssetKind& asset_kind(Tag<PhaseBake>);
 
 }  // namespace skybake::config

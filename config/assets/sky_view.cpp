@@ -31,17 +31,14 @@ const Row<SkyViewBake> sky_view_table[] = {
 
 }  // namespace
 
-const AssetKind& asset_kind(Tag<SkyViewBake>) {
-    static const AssetKind kind = make_asset_kind<SkyViewBake>(
-        {
-            .name = "sky_view",
-            .documentation = "the sky as a camera sees it, under given suns",
-            .is_table = true,
-            .needs_atmosphere = true,
-            .use_of_light = UseOfLight::colors,
-        },
+AssetKind asset_kind(Tag<SkyViewBake>) {
+    return make_asset_kind<SkyViewBake>(
+        {.name = "sky_view",
+         .documentation = "the sky as a camera sees it, under given suns",
+         .is_table = true,
+         .needs_atmosphere = true,
+         .use_of_light = UseOfLight::colors},
         with_file_fields(sky_view_table, table_files), reads_of_all_light);
-    return kind;
 }
 
 }  // namespace skybake::config

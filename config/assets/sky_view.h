@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "config/assets/asset.h"
 #include "config/sections/files.h"
 #include "config/sections/scene.h"
 #include "config/text/quantity.h"
@@ -21,7 +20,5 @@ struct SkyViewBake : LightFiles {
     std::vector<std::string> layers;  // with orders = single: the layers that scatter; empty: all
     SkyMethod sky = SkyMethod::solved;
 };
-
-const AssetKind& asset_kind(Tag<SkyViewBake>);
 
 }  // namespace skybake::config

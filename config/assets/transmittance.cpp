@@ -39,17 +39,14 @@ std::vector<Read> reads_of(const Parameters& parameters, const TransmittanceBake
 
 }  // namespace
 
-const AssetKind& asset_kind(Tag<TransmittanceBake>) {
-    static const AssetKind kind = make_asset_kind<TransmittanceBake>(
-        {
-            .name = "transmittance",
-            .documentation = "the share of light that arrives from the top of the atmosphere",
-            .is_table = true,
-            .needs_atmosphere = true,
-            .use_of_light = UseOfLight::factors,
-        },
+AssetKind asset_kind(Tag<TransmittanceBake>) {
+    return make_asset_kind<TransmittanceBake>(
+        {.name = "transmittance",
+         .documentation = "the share of light that arrives from the top of the atmosphere",
+         .is_table = true,
+         .needs_atmosphere = true,
+         .use_of_light = UseOfLight::factors},
         with_file_fields(transmittance_table, table_files), reads_of);
-    return kind;
 }
 
 }  // namespace skybake::config

@@ -5,7 +5,6 @@
 #include <array>
 #include <optional>
 
-#include "config/assets/asset.h"
 #include "config/sections/files.h"
 
 namespace skybake::config {
@@ -19,7 +18,5 @@ struct TransmittanceBake : LightFiles {
     TransmittanceContent content = TransmittanceContent::transmittance;
     TransmittanceMapping mapping = TransmittanceMapping::bruneton;
 };
-
-const AssetKind& asset_kind(Tag<TransmittanceBake>);
 
 }  // namespace skybake::config

@@ -196,17 +196,13 @@ std::vector<Read> reads_of(const Parameters& parameters, const WeatherMapBake& b
 
 }  // namespace
 
-const AssetKind& asset_kind(Tag<WeatherMapBake>) {
-    static const AssetKind kind = make_asset_kind<WeatherMapBake>(
-        {
-            .name = "weather_map",
-            .documentation =
-                "where clouds are and how much of each kind, or directions, in a plane",
-            .is_table = true,
-        },
+AssetKind asset_kind(Tag<WeatherMapBake>) {
+    return make_asset_kind<WeatherMapBake>(
+        {.name = "weather_map",
+         .documentation = "where clouds are and how much of each kind, or directions, in a plane",
+         .is_table = true},
         with_file_fields(weather_map_table, {.formats = R"(["png"])", .pixel_type = R"("unorm8")"}),
         reads_of, resolve_weather_map);
-    return kind;
 }
 
 }  // namespace skybake::config

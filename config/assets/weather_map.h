@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "config/assets/asset.h"
 #include "config/sections/files.h"
 #include "config/text/quantity.h"
 
@@ -26,7 +25,5 @@ struct WeatherMapBake : VolumeFrames {
     std::vector<double> streaks;         // e-folding length in tiles; 0: none
     Angle wind;                          // where streaks lead to, from +x towards +y
 };
-
-const AssetKind& asset_kind(Tag<WeatherMapBake>);
 
 }  // namespace skybake::config

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "config/text/value_tree.h"
@@ -23,13 +24,28 @@ struct SourceRange {
     bool operator==(const SourceRange&) const = default;
 };
 
+template <class T>
+struct Outcome;
+
 struct Diagnostic {
     Severity severity = Severity::error;
     std::string code;     // "E0102", see diagnostic_codes.h
     std::string message;  // one sentence: what was found
     SourceRange where;
     std::string label;  // shown beside the caret: what is allowed, or the nearest known name
+
+    // A function that fails returns its diagnostic.
+    template <class T>
+    operator Outcome<T>() const {
+        return {{}, {*this}};
+    }
 };
+
+// Returns a diagnostic without a place. Its code, "E0405" or "W0227", says how severe it is.
+inline Diagnostic diagnosis(std::string code, std::string message, std::string label = {}) {
+    const Severity severity = code.starts_with('W') ? Severity::warning : Severity::error;
+    return {severity, std::move(code), std::move(message), {}, std::move(label)};
+}
 
 // This is a value, or the diagnostics that say why there is none. Warnings may accompany a value.
 template <class T>
@@ -76,6 +92,7 @@ SourceRange source_range(const Place& place);
 namespace skybake {
 
 // Every room speaks of these.
+using config::diagnosis;
 using config::Diagnostic;
 using config::Outcome;
 using config::Severity;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "config/text/key_path.h"
+#include "config/text/mapped.h"
 
 namespace skybake::config {
 
@@ -14,15 +15,11 @@ const Field* find_field(const Section& section, std::string_view key) {
 }
 
 std::vector<std::string_view> field_keys(const Section& section) {
-    std::vector<std::string_view> keys;
-    for (const Field& field : section.fields) keys.push_back(field.key);
-    return keys;
+    return mapped<std::string_view>(section.fields, &Field::key);
 }
 
 std::vector<std::string_view> choice_names(const Field& field) {
-    std::vector<std::string_view> names;
-    for (const Choice& choice : field.choices) names.push_back(choice.name);
-    return names;
+    return mapped<std::string_view>(field.choices, &Choice::name);
 }
 
 std::vector<std::string_view> path_names(const Section& section) {

@@ -9,6 +9,7 @@
 #include <cassert>
 
 #include "config/optics/interpolated_table.h"
+#include "config/text/mapped.h"
 
 namespace skybake::config {
 namespace {
@@ -208,11 +209,8 @@ WavelengthRange range_of(AerosolComponent component) {
 }
 
 std::vector<Length> tabulated_wavelengths(AerosolComponent component) {
-    std::vector<Length> all;
-    for (const IndexRow& row : facts_of(component).index) {
-        all.push_back({row.nm / 1e9});
-    }
-    return all;
+    return mapped<Length>(facts_of(component).index,
+                          [&](const IndexRow& row) { return Length{row.nm / 1e9}; });
 }
 
 RefractiveIndex refractive_index_of(AerosolComponent component, Length wavelength,

@@ -15,6 +15,7 @@
 #include "config/sections/sections.h"
 #include "config/sections/spectral_air.h"
 #include "config/text/key_path.h"
+#include "config/text/mapped.h"
 #include "config/text/text.h"
 #include "config/text/units.h"
 
@@ -300,8 +301,7 @@ std::optional<Particles> named_spheres(const std::string& name, double relative_
 
 void report_unknown_component(const DecodedSection& section, std::size_t entry,
                               const std::string& name, const Parameters& recipe, Decoder& decoder) {
-    std::vector<std::string_view> names;
-    for (const Particles& particles : recipe.particles) names.push_back(particles.name);
+    auto names = mapped<std::string_view>(recipe.particles, &Particles::name);
     for (const AerosolComponent component : all_aerosol_components()) {
         names.push_back(name_of(component));
     }
@@ -473,11 +473,9 @@ double density_column(const Layer& layer, Length thickness) {
 std::vector<double> zenith_optical_depth(const Layer& layer, const Atmosphere& atmosphere) {
     const Length thickness{atmosphere.top_radius.meters - atmosphere.ground_radius.meters};
     const double column = density_column(layer, thickness);
-    std::vector<double> depths;
-    for (const InverseLength extinction : layer.extinction) {
-        depths.push_back(extinction.per_meter * column);
-    }
-    return depths;
+    return mapped<double>(layer.extinction, [&](const InverseLength extinction) {
+        return extinction.per_meter * column;
+    });
 }
 
 std::optional<Layer> decode_layer(const std::string& name, const Place& place, const Table& table,

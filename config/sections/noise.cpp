@@ -4,6 +4,7 @@
 
 #include "config/fields/section_decoder.h"
 #include "config/text/key_path.h"
+#include "config/text/mapped.h"
 
 namespace skybake::config {
 namespace {
@@ -132,9 +133,7 @@ bool meets_only_lattice_points(int frequency, int size, bool corners) {
 
 std::vector<std::string> channel_names(const Noise& noise) {
     if (noise.pack != NoisePacking::none || noise.channels.size() <= 1) return {"Y"};
-    std::vector<std::string> names;
-    for (const NoiseChannel& channel : noise.channels) names.push_back(channel.name);
-    return names;
+    return mapped<std::string>(noise.channels, &NoiseChannel::name);
 }
 
 NoiseOctaves resolve_octaves(DecodedSection& channel, const OctaveKeys& keys, Decoder& decoder) {

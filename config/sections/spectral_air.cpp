@@ -11,6 +11,7 @@
 #include "config/optics/elementary.h"
 #include "config/optics/ground_spectra.h"
 #include "config/sections/layer.h"
+#include "config/text/mapped.h"
 #include "config/text/units.h"
 
 namespace skybake::config {
@@ -34,11 +35,9 @@ Particles spheres_of(AerosolComponent component, double relative_humidity) {
 }
 
 std::vector<SphereKind> kinds_of(AerosolMixture mixture, double relative_humidity) {
-    std::vector<SphereKind> kinds;
-    for (const MixturePart& part : parts_of(mixture)) {
-        kinds.push_back({spheres_of(part.component, relative_humidity), part.particles});
-    }
-    return kinds;
+    return mapped<SphereKind>(parts_of(mixture), [&](const MixturePart& part) {
+        return SphereKind{spheres_of(part.component, relative_humidity), part.particles};
+    });
 }
 
 namespace {

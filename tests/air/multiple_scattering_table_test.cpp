@@ -13,18 +13,16 @@ namespace skybake {
 namespace {
 
 config::Outcome<Baked> try_bake(const std::string& section,
-                                const std::string& preset = "earth_hillaire", int threads = 2) {
+                                const std::string& preset = "earth_hillaire") {
     const config::Recipe recipe = test::recipe_of(
         "preset = \"" + preset + "\"\n[bake.multiple_scattering]\n" +
         (section.find("method") == std::string::npos ? "method = 'converged'\n" : "") +
         (section.find("mapping") == std::string::npos ? "mapping = 'hillaire'\n" : "") + section);
-    return bake_asset(recipe, recipe.parameters.bakes.at(0),
-                      {threads, Certification::quick, nullptr});
+    return bake_asset(recipe, recipe.parameters.bakes.at(0), {2, Certification::quick});
 }
 
-Baked bake(const std::string& section, const std::string& preset = "earth_hillaire",
-           int threads = 2) {
-    return test::without_errors(try_bake(section, preset, threads));
+Baked bake(const std::string& section, const std::string& preset = "earth_hillaire") {
+    return test::without_errors(try_bake(section, preset));
 }
 
 TEST(MultipleScatteringTable, HoldsItsTexelErrorForEachPreset) {
@@ -93,17 +91,6 @@ TEST(MultipleScatteringTable, GreyTablesHaveOneChannel) {
     EXPECT_EQ(outcome.value->channel_names, std::vector<std::string>{"Y"});
     EXPECT_EQ(outcome.value->image().channels, 1);
     EXPECT_GT(outcome.value->image().texel(15, 0)[0], 0.03F);
-}
-
-TEST(MultipleScatteringTable, ThreadsLeaveTheBytesAlone) {
-    const std::string section = "size = [17, 9]\nmax_texel_error = \"5 %\"\n";
-    const Baked one = bake(section, "earth_hillaire", 1);
-    for (const int threads : {2, 7}) {
-        const Baked many = bake(section, "earth_hillaire", threads);
-        EXPECT_EQ(one.image().texels, many.image().texels);
-        EXPECT_EQ(one.certificate.lookup.max, many.certificate.lookup.max);
-        EXPECT_EQ(one.certificate.texel.rms, many.certificate.texel.rms);
-    }
 }
 
 }  // namespace

@@ -134,16 +134,5 @@ TEST(TransmittanceTable, ScatteringAndPhaseLeaveItAlone) {
     EXPECT_NE(plain, parameters("[atmosphere.layers.mie]\nscale_height = \"1.3 km\"\n"));
 }
 
-TEST(TransmittanceTable, ThreadsLeaveTheBytesAlone) {
-    const Baked one =
-        bake("size = [63, 17]\n", "earth_hillaire", {1, Certification::quick, nullptr});
-    for (const int threads : {2, 7}) {
-        const Baked many =
-            bake("size = [63, 17]\n", "earth_hillaire", {threads, Certification::quick, nullptr});
-        EXPECT_EQ(one.image().texels, many.image().texels);
-        EXPECT_EQ(one.certificate.lookup.rms, many.certificate.lookup.rms);
-    }
-}
-
 }  // namespace
 }  // namespace skybake

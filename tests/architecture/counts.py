@@ -20,9 +20,9 @@ MOST_TEST_UNITS = 34
 SECTIONS = ("noise", "cloud", "layer", "volume", "files")
 MOST_SECTION_UNITS = 170
 # A change that adds a feature gives as many lines back. Lower these where lines were saved.
-MOST_PRODUCT_LINES = 133_451
-MOST_TEST_LINES = 75_308
-MOST_HELPER_LINES = 19_424
+MOST_PRODUCT_LINES = 133_431
+MOST_TEST_LINES = 75_290
+MOST_HELPER_LINES = 19_392
 
 
 def sources(*rooms):
@@ -96,7 +96,7 @@ for name in product:
 largest = max(folders, key=folders.get)
 
 of = includers(texts)
-assets = re.findall(r'#include "(config/assets/\w+)\.h"', texts["config/assets/assets.h"])
+assets = re.findall(r'#include "(config/assets/(?!asset\.h)\w+)\.h"', texts["config/assets/assets.h"])
 recompiled = {}
 for asset in assets:
     units = [name for name in of(asset + ".h") if name.endswith(".cpp")]

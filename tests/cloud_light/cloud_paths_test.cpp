@@ -14,6 +14,7 @@
 #include "bakers/math/parallel.h"
 #include "tests/cloud_light/layers.h"
 #include "tests/published/published_slabs.h"
+#include "tests/support/volumes.h"
 
 namespace skybake::cloud_light {
 namespace {
@@ -167,13 +168,9 @@ TEST(CloudPaths, PassWithTheExponentialOfTheDepth) {
 TEST(CloudPaths, RepeatTheLayer) {
     const CloudLayer one = test::rough_layer({5, 6, 4}, 0.6);
     CloudLayer four = test::layer_of({10, 12, 4}, 0);
-    for (int z = 0; z < 4; ++z) {
-        for (int y = 0; y < 12; ++y) {
-            for (int x = 0; x < 10; ++x) {
-                four.values[occupancy::index_of(four.size, x, y, z)] = one.value(x % 5, y % 6, z);
-            }
-        }
-    }
+    testing::for_each_voxel({10, 12, 4}, [&](int x, int y, int z) {
+        four.values[occupancy::index_of(four.size, x, y, z)] = one.value(x % 5, y % 6, z);
+    });
     LayerSources sources;
     sources.sun = 1;
     sources.sun_direction = direction_of(0.4, 1);

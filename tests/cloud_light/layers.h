@@ -6,6 +6,7 @@
 
 #include "bakers/assets/cloud_light/cloud_layer.h"
 #include "bakers/occupancy/cell_grid.h"
+#include "tests/support/volumes.h"
 
 namespace skybake::test {
 
@@ -36,18 +37,14 @@ inline cloud_light::CloudLayer lone_cloud(const std::array<int, 3>& size,
                                           const std::array<int, 3>& first,
                                           const std::array<int, 3>& last) {
     cloud_light::CloudLayer layer = rough_layer(size);
-    for (int z = 0; z < size[2]; ++z) {
-        for (int y = 0; y < size[1]; ++y) {
-            for (int x = 0; x < size[0]; ++x) {
-                const std::array<int, 3> at = {x, y, z};
-                bool inside = true;
-                for (std::size_t a = 0; a < 3; ++a) {
-                    inside = inside && at[a] >= first[a] && at[a] < last[a];
-                }
-                if (!inside) layer.values[occupancy::index_of(size, x, y, z)] = 0;
-            }
+    testing::for_each_voxel(size, [&](int x, int y, int z) {
+        const std::array<int, 3> at = {x, y, z};
+        bool inside = true;
+        for (std::size_t a = 0; a < 3; ++a) {
+            inside = inside && at[a] >= first[a] && at[a] < last[a];
         }
-    }
+        if (!inside) layer.values[occupancy::index_of(size, x, y, z)] = 0;
+    });
     return layer;
 }
 

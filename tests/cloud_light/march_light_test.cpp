@@ -19,6 +19,7 @@
 #include "bakers/math/parallel.h"
 #include "bakers/occupancy/cell_grid.h"
 #include "config/sections/cloud.h"
+#include "tests/support/volumes.h"
 
 namespace skybake::cloud_light {
 namespace {
@@ -41,15 +42,11 @@ CloudLayer two_bodies() {
         const double r = std::sqrt((x * x + y * y) / (wide * wide) + z * z / 25);
         return std::clamp(1.5 - 1.5 * r, 0.0, 1.0);
     };
-    for (int z = 0; z < layer.size[2]; ++z) {
-        for (int y = 0; y < layer.size[1]; ++y) {
-            for (int x = 0; x < layer.size[0]; ++x) {
-                const double value = std::max(body(x / 2.0 - 15, y / 2.0 - 17, z / 2.0 - 7, 10),
-                                              body(x / 2.0 - 34, y / 2.0 - 30, z / 2.0 - 6, 7));
-                layer.values[occupancy::index_of(layer.size, x, y, z)] = static_cast<float>(value);
-            }
-        }
-    }
+    testing::for_each_voxel(layer.size, [&](int x, int y, int z) {
+        const double value = std::max(body(x / 2.0 - 15, y / 2.0 - 17, z / 2.0 - 7, 10),
+                                      body(x / 2.0 - 34, y / 2.0 - 30, z / 2.0 - 6, 7));
+        layer.values[occupancy::index_of(layer.size, x, y, z)] = static_cast<float>(value);
+    });
     return layer;
 }
 
@@ -237,14 +234,10 @@ TEST(MarchLight, LoneTilesHaveNoNeighbours) {
     wide.size = {(2 * kMargin + 1) * layer.size[0], (2 * kMargin + 1) * layer.size[1],
                  layer.size[2]};
     wide.values.assign(occupancy::count_of(wide.size), 0);
-    for (int z = 0; z < layer.size[2]; ++z) {
-        for (int y = 0; y < layer.size[1]; ++y) {
-            for (int x = 0; x < layer.size[0]; ++x) {
-                wide.values[occupancy::index_of(wide.size, x + margin[0], y + margin[1], z)] =
-                    layer.value(x, y, z);
-            }
-        }
-    }
+    testing::for_each_voxel(layer.size, [&](int x, int y, int z) {
+        wide.values[occupancy::index_of(wide.size, x + margin[0], y + margin[1], z)] =
+            layer.value(x, y, z);
+    });
     const CloudMedium medium = medium_of(layer, false);
     const BakeOptions options{.threads = kThreads};
     const MarchLight within(medium, kCellsOfPicture, options);

@@ -13,6 +13,7 @@
 #include "bakers/assets/cloud_light/radiance_solver.h"
 #include "bakers/assets/cloud_light/radiance_volume.h"
 #include "tests/cloud_light/layers.h"
+#include "tests/support/volumes.h"
 
 namespace skybake::cloud_light {
 namespace {
@@ -233,27 +234,19 @@ TEST(CoarserCells, SendOutWhatTheyTake) {
     LayerCells cells{CellFields(size, 1), {10, 10, 10}};
     CellFields light(size, 1);
     double sent_out = 0;
-    for (int z = 0; z < size[2]; ++z) {
-        for (int y = 0; y < size[1]; ++y) {
-            for (int x = 0; x < size[0]; ++x) {
-                cells.extinction.row(0, z, y)[x] = layer.value(x, y, z);
-                light.row(0, z, y)[x] = static_cast<float>(x + 2 * y + 3 * z);
-                sent_out += double{layer.value(x, y, z)} * light.row(0, z, y)[x];
-            }
-        }
-    }
+    testing::for_each_voxel(size, [&](int x, int y, int z) {
+        cells.extinction.row(0, z, y)[x] = layer.value(x, y, z);
+        light.row(0, z, y)[x] = static_cast<float>(x + 2 * y + 3 * z);
+        sent_out += double{layer.value(x, y, z)} * light.row(0, z, y)[x];
+    });
     const LayerCells coarser = coarser_cells(cells, factors);
     EXPECT_EQ(coarser.extinction.size(), (std::array<int, 3>{5, 7, 6}));
     EXPECT_EQ(coarser.edge_m, (std::array<double, 3>{30, 20, 20}));
     const CellFields mean = mean_light(light, cells.extinction, factors, on(2));
     double together = 0;
-    for (int z = 0; z < 6; ++z) {
-        for (int y = 0; y < 7; ++y) {
-            for (int x = 0; x < 5; ++x) {
-                together += 12 * double{coarser.extinction.row(0, z, y)[x]} * mean.row(0, z, y)[x];
-            }
-        }
-    }
+    testing::for_each_voxel({5, 7, 6}, [&](int x, int y, int z) {
+        together += 12 * double{coarser.extinction.row(0, z, y)[x]} * mean.row(0, z, y)[x];
+    });
     EXPECT_NEAR(together, sent_out, 1e-5 * sent_out);
 
     CellFields even({5, 7, 6}, 1);

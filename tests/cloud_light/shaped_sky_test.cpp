@@ -18,8 +18,6 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-BakeOptions on(int threads) { return {.threads = threads}; }
-
 CloudScattering rayleigh(double albedo) {
     return {{{1, make_phase_function(config::Phase::rayleigh, 0)}}, albedo};
 }
@@ -34,7 +32,7 @@ LayerSources of_sky(SkyByDirection shape) {
 CellFields solved(const CloudLayer& layer, const CloudScattering& scattering,
                   const LayerSources& sources) {
     const SolvedRadiance found = solve_radiance(layer, place_grid(layer.size, 1, false), scattering,
-                                                kMostDegree, sources, on(2));
+                                                kMostDegree, sources, {.threads = 2});
     EXPECT_LE(found.change, kLargestChange);
     return found.scattered;
 }

@@ -13,6 +13,7 @@
 #include "bakers/field/interpolation.h"
 #include "bakers/occupancy/cell_grid.h"
 #include "tests/cloud_light/layers.h"
+#include "tests/support/volumes.h"
 
 namespace skybake::cloud_light {
 namespace {
@@ -46,11 +47,9 @@ double look_up(const std::vector<float>& texels, const Sizes& sizes,
 template <class Use>
 void for_each_place(const Sizes& sizes, const Use& use) {
     std::size_t index = 0;
-    for (int z = 0; z < sizes.places[2]; ++z) {
-        for (int y = 0; y < sizes.places[1]; ++y) {
-            for (int x = 0; x < sizes.places[0]; ++x) use(std::array{x, y, z}, index++);
-        }
-    }
+    testing::for_each_voxel(sizes.places, [&](int x, int y, int z) {
+        use(std::array{x, y, z}, index++);
+    });
 }
 
 std::vector<float> rough(const std::array<int, 3>& size) {

@@ -13,9 +13,7 @@
 namespace skybake::config {
 namespace {
 
-using testing::channel_of;
-using testing::channel_recipe;
-using testing::volume_recipe;
+using namespace testing;
 using Triple = std::array<int, 3>;
 
 TEST(NoiseDecoder, ReadsStepsAndClamps) {

@@ -8,6 +8,7 @@
 #include "bakers/assets/environment/environment_table.h"
 #include "tests/environment/maps.h"
 #include "tests/light/sky_media.h"
+#include "tests/support/volumes.h"
 
 namespace skybake {
 namespace {
@@ -25,14 +26,10 @@ CloudMedium layer_of(const std::array<int, 3>& size, double extinction_per_m,
     cloud.base_altitude = {1000};
     cloud.extinction_scale.per_meter = extinction_per_m;
     std::vector<float> voxels;
-    for (int z = 0; z < size[2]; ++z) {
-        for (int y = 0; y < size[1]; ++y) {
-            for (int x = 0; x < size[0]; ++x) {
-                voxels.push_back(static_cast<float>(
-                    density((x + 0.5) / size[0], (y + 0.5) / size[1], (z + 0.5) / size[2])));
-            }
-        }
-    }
+    testing::for_each_voxel(size, [&](int x, int y, int z) {
+        voxels.push_back(static_cast<float>(
+            density((x + 0.5) / size[0], (y + 0.5) / size[1], (z + 0.5) / size[2])));
+    });
     CloudMedium medium = cloud_medium(cloud, voxels.data(), size, 1, 1, repeats);
     medium.leaps = leaps_of_voxels(medium, 4, 1);
     return medium;

@@ -18,12 +18,7 @@ namespace skybake {
 namespace {
 
 using config::EnvironmentBake;
-using test::baked;
-using test::earth;
-using test::kDegree;
-using test::kPi;
-using test::map_bake;
-using test::medium_of;
+using namespace test;
 
 CloudMedium slab(double base_m, double height_m, double optical_depth) {
     return medium_of({4000, 4000, height_m}, base_m, {8, 8, 32},

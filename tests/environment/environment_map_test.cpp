@@ -19,9 +19,7 @@ namespace {
 
 using config::EnvironmentBake;
 using config::EnvironmentMapping;
-using test::earth;
-using test::kDegree;
-using test::kPi;
+using namespace test;
 
 EnvironmentBake bake_of(EnvironmentMapping mapping, std::array<int, 2> size, double sun) {
     EnvironmentBake bake = test::map_bake(size, sun);

@@ -9,9 +9,7 @@ namespace skybake {
 namespace {
 
 using config::EnvironmentMapping;
-using test::kMappingCases;
-using test::kPi;
-using test::MappingCase;
+using namespace test;
 
 EnvironmentLayout layout_of(const MappingCase& of) { return {of.mapping, of.size}; }
 

@@ -12,9 +12,7 @@ namespace skybake {
 namespace {
 
 using config::EnvironmentMapping;
-using test::kPi;
-using test::map_of;
-using test::MappingCase;
+using namespace test;
 
 const std::vector<MappingCase> kMaps = {{EnvironmentMapping::longitude_latitude, {64, 32}},
                                         {EnvironmentMapping::cube, {24, 144}},

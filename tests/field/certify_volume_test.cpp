@@ -15,10 +15,7 @@ namespace skybake {
 
 namespace {
 
-using testing::FunctionVoxels;
-using testing::looked_up;
-using testing::plain_volume;
-using testing::sample_voxel;
+using namespace testing;
 using Point = std::array<double, 3>;
 
 // The level of a volume whose statistics are known.

@@ -5,6 +5,7 @@
 
 #include "bakers/field/image.h"
 #include "bakers/field/interpolation.h"
+#include "tests/support/volumes.h"
 
 namespace skybake {
 namespace {
@@ -56,14 +57,10 @@ double lookup(const std::array<int, 3>& size, const std::array<double, 3>& uvw,
 TEST(Trilinear, CentresGiveTheirVoxel) {
     const std::array<int, 3> size = {3, 4, 5};
     const auto number = [](const std::array<int, 3>& v) { return v[0] + 10.0 * v[1] + 100 * v[2]; };
-    for (int z = 0; z < 5; ++z) {
-        for (int y = 0; y < 4; ++y) {
-            for (int x = 0; x < 3; ++x) {
-                const std::array<double, 3> uvw = {(x + 0.5) / 3, (y + 0.5) / 4, (z + 0.5) / 5};
-                EXPECT_NEAR(lookup(size, uvw, number), number({x, y, z}), 1e-12);
-            }
-        }
-    }
+    testing::for_each_voxel({3, 4, 5}, [&](int x, int y, int z) {
+        const std::array<double, 3> uvw = {(x + 0.5) / 3, (y + 0.5) / 4, (z + 0.5) / 5};
+        EXPECT_NEAR(lookup(size, uvw, number), number({x, y, z}), 1e-12);
+    });
 }
 
 TEST(Trilinear, IsLinearBetweenCentres) {

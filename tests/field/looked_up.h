@@ -22,14 +22,10 @@ inline double looked_up(const FunctionVoxels::Function& voxel, const std::array<
         return sum;
     };
     double sum = 0;
-    for (int z = 0; z < size[2]; ++z) {
-        for (int y = 0; y < size[1]; ++y) {
-            for (int x = 0; x < size[0]; ++x) {
-                const double w = weight(0, x) * weight(1, y) * weight(2, z);
-                if (w != 0) sum += w * double{round_to_pixel_type(voxel(x, y, z, channel), type)};
-            }
-        }
-    }
+    for_each_voxel(size, [&](int x, int y, int z) {
+        const double w = weight(0, x) * weight(1, y) * weight(2, z);
+        if (w != 0) sum += w * double{round_to_pixel_type(voxel(x, y, z, channel), type)};
+    });
     return sum;
 }
 

@@ -9,6 +9,7 @@
 #include "bakers/field/baked.h"
 #include "bakers/field/pixel_type.h"
 #include "bakers/math/hash.h"
+#include "tests/support/cancelled_at.h"
 #include "tests/support/volumes.h"
 
 namespace skybake {
@@ -171,27 +172,13 @@ TEST(SurveyVolume, CountsValuesThatLoseDigits) {
     EXPECT_EQ(single.range.below_normal, 0);
 }
 
-// Cancels after some calls of advance.
-class Impatient : public Progress {
-  public:
-    explicit Impatient(int after) : left_(after) {}
-    void advance(std::string_view, double fraction) override {
-        EXPECT_TRUE(fraction > 0 && fraction <= 1);
-        --left_;
-    }
-    bool cancelled() const override { return left_ <= 0; }
-
-  private:
-    std::atomic<int> left_;
-};
-
 TEST(SurveyVolume, AnInterruptionFillsNothing) {
     std::atomic<int> asked = 0;
     Baked volume = plain_volume({1024, 1024, 1000}, 1, PixelType::half, [&](int, int, int, int) {
         ++asked;
         return 0.5F;
     });
-    Impatient progress(2);
+    testing::CancelledAt progress("", 2);
     EXPECT_TRUE(survey_level(volume, 0, {{0, 1}}, {2, Certification::off, &progress}).empty());
     EXPECT_TRUE(volume.levels[0].content_hash.empty());
     EXPECT_TRUE(volume.levels[0].statistics.empty());

@@ -167,34 +167,19 @@ TEST(WriteVolume, AnInterruptionLeavesNothing) {
     }
 }
 
-class Told : public Progress {
-  public:
-    explicit Told(int most) : most_(most) {}
-    void advance(std::string_view, double fraction) override {
-        last = fraction;
-        ++times;
-    }
-    bool cancelled() const override { return times >= most_; }
-    std::atomic<double> last = 0;
-    std::atomic<int> times = 0;
-
-  private:
-    const int most_;
-};
-
 TEST(WriteTexels, TellHowFarTheyAreAndStop) {
     const Baked volume = sample_volume({256, 256, 32}, 4, PixelType::half);
-    const auto is_written = [&](Told& told) {
+    const auto is_written = [&](testing::CancelledAt& told) {
         return write_texels({volume, 0, "", 2, &told}, 0, TexelPadding::none,
                             [](std::string_view) { return true; });
     };
-    Told whole(99);
+    testing::CancelledAt whole("", 99);
     EXPECT_TRUE(is_written(whole));
-    EXPECT_EQ(whole.times, 16);
+    EXPECT_EQ(whole.seen, 16);
     EXPECT_EQ(whole.last, 1);
-    Told part(3);
+    testing::CancelledAt part("", 3);
     EXPECT_FALSE(is_written(part));
-    EXPECT_EQ(part.times, 3);
+    EXPECT_EQ(part.seen, 3);
 }
 
 TEST(WriteVolume, WantsASurveyedVolume) {

@@ -3,13 +3,13 @@
 #include "bakers/field/pixel_type.h"
 #include "bakers/io/formats/format.h"
 #include "tests/io/format_checks.h"
+#include "tests/support/volumes.h"
 
 namespace skybake {
 
 namespace {
 
-using testing::plain_volume;
-using testing::sample_voxel;
+using namespace testing;
 
 std::string written(const TemporaryFolder& folder, const Baked& volume, int threads) {
     return testing::written(folder, config::FileFormat::bin, volume, threads);
@@ -21,16 +21,12 @@ TEST(BinVolume, IsXThenYThenZWithChannelsInterleaved) {
     const std::string bytes = written(folder, plain_volume(size, 3, PixelType::unorm8), 1);
     ASSERT_EQ(bytes.size(), 5U * 3 * 2 * 3);
     std::size_t i = 0;
-    for (int z = 0; z < 2; ++z) {
-        for (int y = 0; y < 3; ++y) {
-            for (int x = 0; x < 5; ++x) {
-                for (int c = 0; c < 3; ++c) {
-                    EXPECT_EQ(static_cast<unsigned char>(bytes[i++]),
-                              std::lround(sample_voxel(x, y, z, c) * 255.0));
-                }
-            }
+    testing::for_each_voxel({5, 3, 2}, [&](int x, int y, int z) {
+        for (int c = 0; c < 3; ++c) {
+            EXPECT_EQ(static_cast<unsigned char>(bytes[i++]),
+                      std::lround(sample_voxel(x, y, z, c) * 255.0));
         }
-    }
+    });
 }
 
 TEST(BinVolume, IsLittleEndian) {
@@ -73,8 +69,6 @@ TEST(BinVolume, SaysWhyItCannotWrite) {
 // Radiance pictures: their head and runs as the format's document has them, read back by OpenImageIO.
 
 using config::FileFormat;
-using testing::texels_of;
-using testing::written;
 
 Baked sky_of(Image2<float> image) {
     Baked sky = testing::sample_table("sky");

@@ -12,6 +12,7 @@
 
 #include "bakers/field/baked.h"
 #include "tests/io/format_checks.h"
+#include "tests/support/cancelled_at.h"
 
 namespace skybake {
 namespace {
@@ -292,21 +293,6 @@ TEST(ExrVolume, SaysWhyItCannotWrite) {
     EXPECT_NE(absent.diagnostics[0].message.find("No such file"), std::string::npos);
 }
 
-class StopsAfter : public Progress {
-  public:
-    explicit StopsAfter(int calls) : left_(calls) {}
-    void advance(std::string_view, double fraction) override {
-        EXPECT_TRUE(fraction >= last_ && fraction <= 1);
-        last_ = fraction;
-        --left_;
-    }
-    bool cancelled() const override { return left_ <= 0; }
-
-  private:
-    std::atomic<int> left_;
-    double last_ = 0;
-};
-
 TEST(ExrVolume, StopsWhenInterrupted) {
     const TemporaryFolder folder;
     testing::write_bytes(folder / "a.exr", "");
@@ -316,7 +302,8 @@ TEST(ExrVolume, StopsWhenInterrupted) {
             ++made;
             return 0.5F;
         });
-    StopsAfter progress(2);
+    testing::CancelledAt progress("", 2);
+    progress.in_order = true;
     EXPECT_EQ(
         testing::write_as(config::FileFormat::exr, volume, 2, &progress, folder / "a.exr").value,
         false);

@@ -14,10 +14,7 @@ namespace {
 
 using config::FileFormat;
 using config::Ktx2Compression;
-using testing::number;
-using testing::plain_volume;
-using testing::word;
-using testing::written;
+using namespace testing;
 
 constexpr FileFormat kFormat = FileFormat::ktx2;
 

@@ -19,9 +19,9 @@ std::string sample_text() {
     return manifest_json(manifest);
 }
 
-// The sample with one piece of its text replaced.
-std::string message_with(const std::string& piece, const std::string& other) {
-    std::string text = sample_text();
+// Returns the message about a manifest with one piece of its text replaced.
+std::string message_with(const std::string& piece, const std::string& other,
+                         std::string text = sample_text()) {
     const std::size_t at = text.find(piece);
     EXPECT_NE(at, std::string::npos) << piece;
     text.replace(at, piece.size(), other);
@@ -86,13 +86,7 @@ TEST(Manifest, ReadsAVolumeBackAsItWasWritten) {
 
 TEST(Manifest, NamesThePlaceOfDamageInAVolume) {
     const auto message = [](const std::string& piece, const std::string& other) {
-        std::string text = volume_text();
-        const std::size_t at = text.find(piece);
-        EXPECT_NE(at, std::string::npos) << piece;
-        text.replace(at, piece.size(), other);
-        const auto manifest = parse_manifest(text, "manifest.json");
-        EXPECT_EQ(testing::first_code(manifest.diagnostics), "E0304") << other;
-        return manifest.diagnostics.empty() ? "" : manifest.diagnostics[0].message;
+        return message_with(piece, other, volume_text());
     };
     const auto names = [](const std::string& text, const std::string& place) {
         return text.find(place) != std::string::npos;

@@ -11,10 +11,7 @@ namespace skybake {
 namespace {
 
 using config::FileFormat;
-using testing::number;
-using testing::plain_volume;
-using testing::stored;
-using testing::written;
+using namespace testing;
 
 // --- TIFF ---------------------------------------------------------------------------------------
 

@@ -14,12 +14,7 @@ namespace skybake {
 namespace {
 
 using config::FileFormat;
-using testing::plain_volume;
-using testing::sample_voxel;
-using testing::stored;
-using testing::word;
-using testing::written;
-using testing::wrong_values;
+using namespace testing;
 
 constexpr auto kTypes = testing::kPixelTypes;
 

@@ -14,10 +14,7 @@
 namespace skybake {
 namespace {
 
-using testing::read_vdb_voxels;
-using testing::vdb_sample;
-using testing::VdbSlab;
-using testing::write_sample;
+using namespace testing;
 
 const auto go_on = [](const VdbSlab&) { return true; };
 

@@ -7,6 +7,7 @@
 
 #include "tests/io/files.h"
 #include "tests/io/vdb_samples.h"
+#include "tests/support/volumes.h"
 
 namespace skybake {
 namespace {
@@ -17,18 +18,24 @@ double peak_memory_mib() {
     return static_cast<double>(usage.ru_maxrss) / 1024;
 }
 
+// Reads a file that has been written; neither may take much memory.
+void expect_little_memory(const std::filesystem::path& path) {
+    const double written = peak_memory_mib();
+    const auto read = testing::read_vdb_voxels(path, [](const testing::VdbSlab&) { return true; });
+    ASSERT_TRUE(read.value.has_value());
+    fmt::print("peak memory: {:.0f} MiB after writing, {:.0f} MiB after reading\n", written,
+               peak_memory_mib());
+    EXPECT_LT(peak_memory_mib(), 256);
+}
+
 // Cheap values: the test is of what the writer and reader need.
 class Ramp : public VoxelSource {
   public:
     void fill(const VoxelBox& box, const std::vector<float*>& channels) const override {
         float* out = channels[0];
-        for (int z = 0; z < box.size[2]; ++z) {
-            for (int y = 0; y < box.size[1]; ++y) {
-                for (int x = 0; x < box.size[0]; ++x) {
-                    *out++ = static_cast<float>((x + y + z) % 1024) / 1024;
-                }
-            }
-        }
+        testing::for_each_voxel(box.size, [&](int x, int y, int z) {
+            *out++ = static_cast<float>((x + y + z) % 1024) / 1024;
+        });
     }
 };
 
@@ -37,13 +44,7 @@ TEST(VdbMemory, DoesNotGrowWithTheVolume) {
     Baked volume = testing::vdb_sample({1024, 1024, 512}, 1, config::PixelType::half);
     volume.levels[0].voxels = std::make_shared<Ramp>();
     ASSERT_TRUE(testing::write_sample(volume, folder / "v.vdb").value.has_value());
-    const double written = peak_memory_mib();
-    const auto read =
-        testing::read_vdb_voxels(folder / "v.vdb", [](const testing::VdbSlab&) { return true; });
-    ASSERT_TRUE(read.value.has_value());
-    fmt::print("peak memory: {:.0f} MiB after writing, {:.0f} MiB after reading\n", written,
-               peak_memory_mib());
-    EXPECT_LT(peak_memory_mib(), 256);
+    expect_little_memory(folder / "v.vdb");
 }
 
 // A quarter of the voxels, in layers that each leaf has some of; the file takes 256 MiB.
@@ -66,14 +67,8 @@ TEST(VdbMemory, OfASparseVolumeIsWhatIsKept) {
     testing::write_bytes(folder / "v.vdb", "");
     constexpr std::size_t kept = 32 << 20;
     ASSERT_TRUE(write_vdb(volume, 0, {}, 2, nullptr, folder / "v.vdb", kept).value.has_value());
-    const double written = peak_memory_mib();
-    const auto read =
-        testing::read_vdb_voxels(folder / "v.vdb", [](const testing::VdbSlab&) { return true; });
-    ASSERT_TRUE(read.value.has_value());
-    fmt::print("peak memory: {:.0f} MiB after writing, {:.0f} MiB after reading\n", written,
-               peak_memory_mib());
     // A million leaves of 66 bytes, and as much as the dense volume takes.
-    EXPECT_LT(peak_memory_mib(), 256);
+    expect_little_memory(folder / "v.vdb");
 }
 
 }  // namespace

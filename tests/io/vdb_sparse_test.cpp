@@ -12,6 +12,7 @@
 #include "bakers/io/formats/vdb/vdb_file.h"
 #include "tests/io/files.h"
 #include "tests/io/vdb_samples.h"
+#include "tests/support/cancelled_at.h"
 
 namespace skybake {
 namespace {
@@ -337,31 +338,19 @@ TEST(VdbSparseWriteFails, ForNamesThatAreNotOnePerGrid) {
     EXPECT_EQ(code({"density", ""}), "E0500");
 }
 
-class CancelledAt : public Progress {
-  public:
-    explicit CancelledAt(double fraction) : fraction_(fraction) {}
-    void advance(std::string_view, double fraction) override {
-        EXPECT_GE(fraction, reached_);
-        reached_ = fraction;
-    }
-    bool cancelled() const override { return reached_ >= fraction_; }
-
-  private:
-    const double fraction_;
-    std::atomic<double> reached_ = 0;
-};
-
 TEST(VdbSparseWriteInterrupted, WhileStripsAreSurveyedAndWhileTheyAreWritten) {
     const TemporaryFolder folder;
     testing::write_bytes(folder / "v.vdb", "");
     const Baked volume = sparse_sample({300, 140, 120}, 1, speckle);
     for (const double fraction : {0.1, 0.4, 0.6, 0.9}) {
-        CancelledAt progress(fraction);
+        testing::CancelledAt progress("", 1 << 20, fraction);
+        progress.in_order = true;
         const auto written = write_vdb(volume, 0, {}, 2, &progress, folder / "v.vdb", 0);
         ASSERT_TRUE(written.value.has_value());
         EXPECT_FALSE(*written.value) << fraction;
     }
-    CancelledAt never(2);
+    testing::CancelledAt never("", 1 << 20);
+    never.in_order = true;
     EXPECT_EQ(write_vdb(volume, 0, {}, 2, &never, folder / "v.vdb", 0).value, true);
 }
 

@@ -12,6 +12,7 @@
 
 #include "tests/io/files.h"
 #include "tests/io/vdb_samples.h"
+#include "tests/support/volumes.h"
 
 namespace skybake {
 namespace {
@@ -19,9 +20,7 @@ namespace {
 using config::VdbCompression;
 using openvdb::Coord;
 using openvdb::FloatGrid;
-using testing::stored_voxel;
-using testing::vdb_sample;
-using testing::write_sample;
+using namespace testing;
 
 struct Case {
     std::array<int, 3> size;
@@ -238,15 +237,11 @@ TEST(VdbVolumeHalf, IsRoundedToNearestEven) {
     ASSERT_TRUE(write_sample(volume, folder / "v.vdb").value);
     const auto read = testing::read_vdb_voxels(folder / "v.vdb", [&](const testing::VdbSlab& slab) {
         const float* stored = slab.voxels.data();
-        for (int z = 0; z < 3; ++z) {
-            for (int y = 0; y < 12; ++y) {
-                for (int x = 0; x < 64; ++x) {
-                    const int even = x % 2 == 0 ? x : x + 1;
-                    const int wanted = z == 0 ? x : z == 1 ? even : x + 1;
-                    EXPECT_EQ(*stored++, std::ldexp(static_cast<float>(1024 + wanted), y - 20));
-                }
-            }
-        }
+        testing::for_each_voxel({64, 12, 3}, [&](int x, int y, int z) {
+            const int even = x % 2 == 0 ? x : x + 1;
+            const int wanted = z == 0 ? x : z == 1 ? even : x + 1;
+            EXPECT_EQ(*stored++, std::ldexp(static_cast<float>(1024 + wanted), y - 20));
+        });
         return true;
     });
     EXPECT_TRUE(read.value.has_value());

@@ -13,9 +13,7 @@ namespace skybake {
 namespace {
 
 using config::SkyOrders;
-using test::kDegree;
-using test::TestSky;
-using test::uniform;
+using namespace test;
 
 constexpr Shell kEarth = {6360, 100};
 

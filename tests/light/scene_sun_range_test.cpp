@@ -9,9 +9,7 @@
 namespace skybake {
 namespace {
 
-using test::kDegree;
-using test::log_uniform;
-using test::uniform;
+using namespace test;
 
 config::Scene scene_of(double low_km, double high_km, double low_sun, double high_sun) {
     config::Scene scene;

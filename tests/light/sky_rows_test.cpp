@@ -17,9 +17,7 @@ namespace skybake {
 namespace {
 
 using config::SkyOrders;
-using test::kDegree;
-using test::TestSky;
-using test::uniform;
+using namespace test;
 
 // Rows against the integration of each ray by itself, and the parts of light against the whole.
 

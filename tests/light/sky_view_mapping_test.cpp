@@ -10,9 +10,7 @@
 namespace skybake {
 namespace {
 
-using test::kDegree;
-using test::log_uniform;
-using test::uniform;
+using namespace test;
 
 constexpr Shell kEarth = {6360, 100};
 

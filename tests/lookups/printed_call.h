@@ -18,6 +18,7 @@
 
 #include "tests/lookups/lookup_trial.h"
 #include "tests/lookups/metal_stdlib"
+#include "tests/support/volumes.h"
 
 namespace skybake::test {
 
@@ -54,16 +55,12 @@ class CallNotes {
     nlohmann::json texture(const Texture& texture) {
         if (known_.insert(texture.name).second) {
             std::ofstream file(folder_ / (texture.name + ".f32"), std::ios::binary);
-            for (int z = 0; z < texture.size[2]; ++z) {
-                for (int y = 0; y < texture.size[1]; ++y) {
-                    for (int x = 0; x < texture.size[0]; ++x) {
-                        for (const double value : fetched(texture, {x, y, z})) {
-                            const auto number = static_cast<float>(value);
-                            file.write(reinterpret_cast<const char*>(&number), sizeof number);
-                        }
-                    }
+            testing::for_each_voxel(texture.size, [&](int x, int y, int z) {
+                for (const double value : fetched(texture, {x, y, z})) {
+                    const auto number = static_cast<float>(value);
+                    file.write(reinterpret_cast<const char*>(&number), sizeof number);
                 }
-            }
+            });
         }
         return {{"texture", texture.name}, {"size", texture.size}, {"repeats", texture.repeats}};
     }

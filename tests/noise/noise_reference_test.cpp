@@ -16,9 +16,7 @@ namespace {
 using config::CurlComponent;
 using config::WorleyFeature;
 using config::WorleyValue;
-using test::noise_of;
-using test::perlin;
-using test::worley;
+using namespace test;
 using Place = std::array<double, 3>;
 
 constexpr int kPoints = 2000;

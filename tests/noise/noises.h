@@ -12,6 +12,7 @@
 #include "bakers/noise/noise_plan.h"
 #include "bakers/noise/noise_specification.h"
 #include "config/sections/noise.h"
+#include "tests/support/volumes.h"
 
 namespace skybake::test {
 
@@ -112,16 +113,11 @@ using Planes = std::vector<std::vector<float>>;  // [channel][voxel], x fastest
 
 inline Planes specified(const noise::NoisePlan& plan, const VoxelBox& box) {
     Planes planes(static_cast<std::size_t>(plan.output_channels()));
-    for (int z = 0; z < box.size[2]; ++z) {
-        for (int y = 0; y < box.size[1]; ++y) {
-            for (int x = 0; x < box.size[0]; ++x) {
-                const noise::Voxel voxel = {box.origin[0] + x, box.origin[1] + y,
-                                            box.origin[2] + z};
-                const std::vector<float> values = noise_at(plan, voxel);
-                for (std::size_t c = 0; c < planes.size(); ++c) planes[c].push_back(values[c]);
-            }
-        }
-    }
+    testing::for_each_voxel(box.size, [&](int x, int y, int z) {
+        const noise::Voxel voxel = {box.origin[0] + x, box.origin[1] + y, box.origin[2] + z};
+        const std::vector<float> values = noise_at(plan, voxel);
+        for (std::size_t c = 0; c < planes.size(); ++c) planes[c].push_back(values[c]);
+    });
     return planes;
 }
 

@@ -7,13 +7,12 @@
 #include <vector>
 
 #include "tests/occupancy/distance_trial.h"
+#include "tests/support/volumes.h"
 
 namespace skybake::occupancy {
 namespace {
 
-using test::field;
-using test::steps_that_lose;
-using test::Volume;
+using namespace test;
 using Trial = test::DistanceTrial;
 
 // Each fault changes the texture of a field, and both the check of files and rays find it.
@@ -43,14 +42,10 @@ TEST(DistanceFaults, AreFound) {
     expect_found("rounded up", [&](Trial& trial) { metres(trial, diagonal); });
     expect_found("x and z exchanged", [&](Trial& trial) {
         const std::vector<float> before = trial.values;
-        for (int z = 0; z < size[2]; ++z) {
-            for (int y = 0; y < size[1]; ++y) {
-                for (int x = 0; x < size[0]; ++x) {
-                    trial.values[index_of(size, x, y, z)] =
-                        before[index_of(size, z * size[0] / size[2], y, x * size[2] / size[0])];
-                }
-            }
-        }
+        testing::for_each_voxel(size, [&](int x, int y, int z) {
+            trial.values[index_of(size, x, y, z)] =
+                before[index_of(size, z * size[0] / size[2], y, x * size[2] / size[0])];
+        });
     });
     expect_found(
         "zeros",
@@ -88,14 +83,10 @@ TEST(DistanceFaults, AWrapLeftOutIsFound) {
     Volume wide = test::volume_of({{96, 32, 16}, 2});
     wide.at(1, 16, 8) = 1;
     const Trial unwrapped(wide, {20, 20, 20});
-    for (int z = 0; z < 8; ++z) {
-        for (int y = 0; y < 16; ++y) {
-            for (int x = 0; x < 16; ++x) {
-                trial.values[index_of({16, 16, 8}, x, y, z)] =
-                    unwrapped.values[index_of({48, 16, 8}, x, y, z)];
-            }
-        }
-    }
+    testing::for_each_voxel({16, 16, 8}, [&](int x, int y, int z) {
+        trial.values[index_of({16, 16, 8}, x, y, z)] =
+            unwrapped.values[index_of({48, 16, 8}, x, y, z)];
+    });
     EXPECT_GT(trial.check().too_far, 0);
     EXPECT_GT(trial.check().lost_steps, 0);
 }

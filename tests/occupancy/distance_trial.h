@@ -13,6 +13,7 @@
 #include "bakers/occupancy/stored_distance.h"
 #include "config/assets/cloud_distance.h"
 #include "tests/occupancy/volumes_in_memory.h"
+#include "tests/support/volumes.h"
 
 namespace skybake::test {
 
@@ -40,21 +41,17 @@ inline Volume balls(const CellGrid& grid, std::uint32_t seed, int count, double 
                 seed + 31U * static_cast<std::uint32_t>(ball) + static_cast<std::uint32_t>(a);
             centre[a] = double{share_of(mixed(bits))} * grid.voxels[a];
         }
-        for (int z = 0; z < grid.voxels[2]; ++z) {
-            for (int y = 0; y < grid.voxels[1]; ++y) {
-                for (int x = 0; x < grid.voxels[0]; ++x) {
-                    const Point at = {x + 0.5, y + 0.5, z + 0.5};
-                    double square = 0;
-                    for (std::size_t a = 0; a < 3; ++a) {
-                        double way = std::fabs(at[a] - centre[a]);
-                        if (a < 2) way = std::min(way, grid.voxels[a] - way);
-                        square += way * way;
-                    }
-                    const auto density = static_cast<float>(1 - std::sqrt(square) / radius);
-                    volume.at(x, y, z) = std::max(volume.at(x, y, z), density);
-                }
+        testing::for_each_voxel(grid.voxels, [&](int x, int y, int z) {
+            const Point at = {x + 0.5, y + 0.5, z + 0.5};
+            double square = 0;
+            for (std::size_t a = 0; a < 3; ++a) {
+                double way = std::fabs(at[a] - centre[a]);
+                if (a < 2) way = std::min(way, grid.voxels[a] - way);
+                square += way * way;
             }
-        }
+            const auto density = static_cast<float>(1 - std::sqrt(square) / radius);
+            volume.at(x, y, z) = std::max(volume.at(x, y, z), density);
+        });
     }
     return volume;
 }

@@ -12,6 +12,7 @@
 #include "config/assets/occupancy_filter.h"
 #include "tests/noise/every_target.h"
 #include "tests/occupancy/volumes_in_memory.h"
+#include "tests/support/volumes.h"
 
 namespace skybake::occupancy {
 namespace {
@@ -25,18 +26,11 @@ int wrapped_distance(int a, int b, int size) {
 std::vector<std::uint8_t> leap_distance_reference(const OccupiedCells& cells) {
     const std::array<int, 3>& size = cells.size;
     std::vector<std::array<int, 3>> occupied;
-    const auto for_each_cell = [&](const auto& visit) {
-        for (int z = 0; z < size[2]; ++z) {
-            for (int y = 0; y < size[1]; ++y) {
-                for (int x = 0; x < size[0]; ++x) visit(x, y, z);
-            }
-        }
-    };
-    for_each_cell([&](int x, int y, int z) {
+    testing::for_each_voxel(size, [&](int x, int y, int z) {
         if (cells.occupied[index_of(size, x, y, z)] != 0) occupied.push_back({x, y, z});
     });
     std::vector<std::uint8_t> distances;
-    for_each_cell([&](int x, int y, int z) {
+    testing::for_each_voxel(size, [&](int x, int y, int z) {
         int nearest = 255;
         for (const auto& [other_x, other_y, other_z] : occupied) {
             nearest = std::min(
@@ -120,18 +114,14 @@ TEST(Pyramid, BoundsWhatIsBelow) {
             }
             tight.minimum.assign(count_of(tight.size), 2.0F);
             tight.maximum.assign(count_of(tight.size), -2.0F);
-            for (int z = 0; z < ranges.size[2]; ++z) {
-                for (int y = 0; y < ranges.size[1]; ++y) {
-                    for (int x = 0; x < ranges.size[0]; ++x) {
-                        const std::size_t fine = index_of(ranges.size, x, y, z);
-                        const std::size_t coarse = index_of(above.size, x / 2, y / 2, z / 2);
-                        float& least = tight.minimum[coarse];
-                        float& most = tight.maximum[coarse];
-                        least = std::min(least, ranges.minimum[fine]);
-                        most = std::max(most, ranges.maximum[fine]);
-                    }
-                }
-            }
+            testing::for_each_voxel(ranges.size, [&](int x, int y, int z) {
+                const std::size_t fine = index_of(ranges.size, x, y, z);
+                const std::size_t coarse = index_of(above.size, x / 2, y / 2, z / 2);
+                float& least = tight.minimum[coarse];
+                float& most = tight.maximum[coarse];
+                least = std::min(least, ranges.minimum[fine]);
+                most = std::max(most, ranges.maximum[fine]);
+            });
             RC_ASSERT(above.minimum == tight.minimum);
             RC_ASSERT(above.maximum == tight.maximum);
             // The threshold of a union is passed where one of its parts passes it.

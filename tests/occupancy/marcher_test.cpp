@@ -21,6 +21,7 @@
 #include "config/assets/occupancy_filter.h"
 #include "config/recipe/recipe.h"
 #include "tests/occupancy/volumes_in_memory.h"
+#include "tests/support/volumes.h"
 
 namespace skybake::occupancy {
 namespace {
@@ -254,11 +255,8 @@ constexpr std::array<double, 3> kVoxel_m = {20, 30, 10};
 
 Volume volume_where(const std::function<bool(int, int, int)>& has_cloud) {
     Volume volume = test::volume_of({kVoxels, 4});
-    for (int z = 0; z < kVoxels[2]; ++z) {
-        for (int y = 0; y < kVoxels[1]; ++y) {
-            for (int x = 0; x < kVoxels[0]; ++x) volume.at(x, y, z) = has_cloud(x, y, z) ? 1 : 0;
-        }
-    }
+    testing::for_each_voxel(
+        kVoxels, [&](int x, int y, int z) { volume.at(x, y, z) = has_cloud(x, y, z) ? 1 : 0; });
     return volume;
 }
 

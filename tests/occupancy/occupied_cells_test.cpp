@@ -9,6 +9,7 @@
 #include "config/assets/occupancy_filter.h"
 #include "tests/occupancy/exact_range.h"
 #include "tests/occupancy/volumes_in_memory.h"
+#include "tests/support/volumes.h"
 
 namespace skybake::occupancy {
 
@@ -59,21 +60,14 @@ OccupiedCells thesis_by_hand(const Volume& volume, float threshold) {
         const int cell = volume.grid.cell;
         return index_of(cells.size, x / cell, y / cell, z / cell);
     };
-    const auto for_each = [](const std::array<int, 3>& size, const auto& visit) {
-        for (int z = 0; z < size[2]; ++z) {
-            for (int y = 0; y < size[1]; ++y) {
-                for (int x = 0; x < size[0]; ++x) visit(x, y, z);
-            }
-        }
-    };
-    for_each(volume.grid.voxels, [&](int x, int y, int z) {
+    testing::for_each_voxel(volume.grid.voxels, [&](int x, int y, int z) {
         ++voxels[cell_of(x, y, z)];
         above[cell_of(x, y, z)] += volume.at(x, y, z) > threshold ? 1 : 0;
     });
-    for_each(cells.size, [&](int x, int y, int z) {
+    testing::for_each_voxel(cells.size, [&](int x, int y, int z) {
         const std::size_t at = index_of(cells.size, x, y, z);
         if (above[at] < voxels[at] / 8.0) return;
-        for_each({3, 3, 3}, [&](int i, int j, int k) {
+        testing::for_each_voxel({3, 3, 3}, [&](int i, int j, int k) {
             const std::array<int, 3> other = {x + i - 1, y + j - 1, z + k - 1};
             for (std::size_t a = 0; a < 3; ++a) {
                 if (other[a] < 0 || other[a] >= cells.size[a]) return;

@@ -21,12 +21,7 @@ namespace skybake::occupancy {
 namespace {
 
 using config::DistanceContent;
-using test::balls;
-using test::bits_of;
-using test::field;
-using test::Point;
-using test::steps_that_lose;
-using test::Volume;
+using namespace test;
 using Trial = test::DistanceTrial;
 
 Trial any_trial() {

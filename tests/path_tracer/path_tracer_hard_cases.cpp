@@ -15,12 +15,7 @@
 namespace skybake {
 namespace {
 
-using test::hold;
-using test::kFourDeviations;
-using test::paths;
-using test::sky_medium;
-using test::trace;
-using test::view_at;
+using namespace test;
 
 double worst_furnace(const SkyMedium& medium, std::int64_t count) {
     const PathTracer tracer(medium);

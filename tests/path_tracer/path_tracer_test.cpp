@@ -18,10 +18,7 @@
 namespace skybake {
 namespace {
 
-using test::paths;
-using test::sky_medium;
-using test::trace;
-using test::view_at;
+using namespace test;
 
 TEST(PathTracer, WhiteFurnaceIsWhite) {
     struct Furnace {

@@ -8,6 +8,7 @@
 
 #include "tests/preview/clouds.h"
 #include "tests/support/cloud_marches.h"
+#include "tests/support/volumes.h"
 
 namespace skybake {
 namespace {
@@ -171,16 +172,12 @@ TEST(CloudView, OfASingleTileIsThatOfALargeTileWithNothingElse) {
     const CloudMedium alone = tower(1000, false);
     const std::array<int, 3> size = {3 * kSize[0], 3 * kSize[1], kSize[2]};
     std::vector<float> voxels(9 * index_of(0, 0, kSize[2]));
-    for (int z = 0; z < kSize[2]; ++z) {
-        for (int y = 0; y < kSize[1]; ++y) {
-            for (int x = 0; x < kSize[0]; ++x) {
-                const float value = alone.volume.values[static_cast<std::size_t>(
-                    (z + 1) * alone.volume.plane() + (y + 1) * alone.volume.row() + x + 1)];
-                voxels[static_cast<std::size_t>((z * size[1] + y + kSize[1]) * size[0] + x +
-                                                kSize[0])] = value;
-            }
-        }
-    }
+    testing::for_each_voxel(kSize, [&](int x, int y, int z) {
+        const float value = alone.volume.values[static_cast<std::size_t>(
+            (z + 1) * alone.volume.plane() + (y + 1) * alone.volume.row() + x + 1)];
+        voxels[static_cast<std::size_t>((z * size[1] + y + kSize[1]) * size[0] + x + kSize[0])] =
+            value;
+    });
     CloudMedium large =
         cloud_medium(test::cloud_of({9600, 7200, 1600}, 1000), voxels.data(), size, 1, 1);
     CloudMedium single = alone;

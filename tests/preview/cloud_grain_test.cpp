@@ -11,6 +11,7 @@
 #include "tests/preview/clouds.h"
 #include "tests/support/cloud_marches.h"
 #include "tests/support/scene_reference.h"
+#include "tests/support/volumes.h"
 
 namespace skybake {
 namespace {
@@ -38,13 +39,8 @@ CloudMedium draft_cloud() {
         test::cloud_of({kSize[0] * kVoxel_m, kSize[1] * kVoxel_m, kSize[2] * kVoxel_m}, 1000);
     cloud.extinction_scale.per_meter = 0.06;
     std::vector<float> voxels;
-    for (int z = 0; z < kSize[2]; ++z) {
-        for (int y = 0; y < kSize[1]; ++y) {
-            for (int x = 0; x < kSize[0]; ++x) {
-                voxels.push_back(balls_at(x + 0.5, y + 0.5, z + 0.5));
-            }
-        }
-    }
+    testing::for_each_voxel(
+        kSize, [&](int x, int y, int z) { voxels.push_back(balls_at(x + 0.5, y + 0.5, z + 0.5)); });
     CloudMedium medium = cloud_medium(cloud, voxels.data(), kSize, 1, 1);
     medium.leaps = leaps_of_voxels(medium, 2, 1);
     return medium;

@@ -10,6 +10,7 @@
 #include "bakers/assets/cloud_light/march_light.h"
 #include "bakers/render/scene_view.h"
 #include "tests/preview/scenes.h"
+#include "tests/support/volumes.h"
 
 namespace skybake {
 namespace {
@@ -76,19 +77,15 @@ CloudMedium rolling_layer() {
     constexpr std::array<int, 3> kSize = {64, 64, 16};
     std::vector<float> voxels;
     const auto wave = [](double turns) { return std::sin(2 * M_PI * turns); };
-    for (int z = 0; z < kSize[2]; ++z) {
-        for (int y = 0; y < kSize[1]; ++y) {
-            for (int x = 0; x < kSize[0]; ++x) {
-                const double u = (x + 0.5) / kSize[0];
-                const double v = (y + 0.5) / kSize[1];
-                const double height = (z + 0.5) / kSize[2];
-                const double field = wave(2 * u + 0.2 * wave(v)) * wave(2 * v + 0.3 * wave(3 * u)) +
-                                     0.3 * wave(7 * u + height) * wave(6 * v - height);
-                voxels.push_back(
-                    static_cast<float>(std::max(field * (1 - std::fabs(2 * height - 1)), 0.0)));
-            }
-        }
-    }
+    testing::for_each_voxel(kSize, [&](int x, int y, int z) {
+        const double u = (x + 0.5) / kSize[0];
+        const double v = (y + 0.5) / kSize[1];
+        const double height = (z + 0.5) / kSize[2];
+        const double field = wave(2 * u + 0.2 * wave(v)) * wave(2 * v + 0.3 * wave(3 * u)) +
+                             0.3 * wave(7 * u + height) * wave(6 * v - height);
+        voxels.push_back(
+            static_cast<float>(std::max(field * (1 - std::fabs(2 * height - 1)), 0.0)));
+    });
     CloudMedium medium = medium_of({2400, 2400, 600}, 1500, kSize, voxels, 0.0065);
     medium.variation = varied_tiles(medium);
     return medium;

@@ -8,6 +8,7 @@
 #include "bakers/field/image.h"
 #include "bakers/march/cloud_medium.h"
 #include "tests/occupancy/volumes_in_memory.h"
+#include "tests/support/volumes.h"
 
 namespace skybake::test {
 
@@ -36,17 +37,12 @@ inline CloudMedium medium_of(const std::array<double, 3>& extent_m, double base_
 inline std::vector<float> clumped_voxels(const std::array<int, 3>& size, std::uint32_t seed,
                                          double filled) {
     std::vector<float> voxels;
-    for (int z = 0; z < size[2]; ++z) {
-        for (int y = 0; y < size[1]; ++y) {
-            for (int x = 0; x < size[0]; ++x) {
-                const auto clump =
-                    static_cast<std::uint32_t>(x / 3 + 64 * (y / 3) + 4096 * (z / 3));
-                const auto voxel = static_cast<std::uint32_t>(x + 1024 * y + 1048576 * z);
-                const bool is_filled = double{share_of(mixed(clump + seed))} < filled;
-                voxels.push_back(is_filled ? share_of(mixed(voxel ^ seed)) : 0.0F);
-            }
-        }
-    }
+    testing::for_each_voxel(size, [&](int x, int y, int z) {
+        const auto clump = static_cast<std::uint32_t>(x / 3 + 64 * (y / 3) + 4096 * (z / 3));
+        const auto voxel = static_cast<std::uint32_t>(x + 1024 * y + 1048576 * z);
+        const bool is_filled = double{share_of(mixed(clump + seed))} < filled;
+        voxels.push_back(is_filled ? share_of(mixed(voxel ^ seed)) : 0.0F);
+    });
     return voxels;
 }
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "bakers/preview/cloud_inputs.h"
-#include "bakers/render/white_balance.h"
+#include "bakers/render/cloud_view.h"
 #include "config/presets/presets.h"
 #include "config/recipe/init_text.h"
 #include "tests/preview/skies.h"

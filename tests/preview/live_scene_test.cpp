@@ -12,9 +12,9 @@
 #include "bakers/math/half_conversion.h"
 #include "bakers/preview/live/live_textures.h"
 #include "bakers/preview/runtime/runtime_library.h"
+#include "bakers/render/cloud_view.h"
 #include "bakers/render/scene_march.h"
 #include "bakers/render/tone_curve.h"
-#include "bakers/render/white_balance.h"
 #include "tests/support/atmospheres.h"
 #include "tests/support/outcomes.h"
 

@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "bakers/preview/pictures/fourier_transform.h"
+#include "tests/support/volumes.h"
 
 namespace skybake {
 namespace {
@@ -29,15 +30,11 @@ PreviewAsset volume_of(std::array<int, 3> size, std::vector<std::string> channel
     asset.entry.levels[0].size = size;
     asset.entry.levels[0].statistics.resize(asset.entry.channels.size(),
                                             {0, 1, 0.5, {0, 1}, std::vector<std::int64_t>(8, 100)});
-    for (int z = 0; z < size[2]; ++z) {
-        for (int y = 0; y < size[1]; ++y) {
-            for (int x = 0; x < size[0]; ++x) {
-                for (int c = 0; c < static_cast<int>(asset.entry.channels.size()); ++c) {
-                    asset.voxels.push_back(static_cast<float>(value(x, y, z, c)));
-                }
-            }
+    testing::for_each_voxel(size, [&](int x, int y, int z) {
+        for (int c = 0; c < static_cast<int>(asset.entry.channels.size()); ++c) {
+            asset.voxels.push_back(static_cast<float>(value(x, y, z, c)));
         }
-    }
+    });
     return asset;
 }
 

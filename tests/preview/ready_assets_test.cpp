@@ -7,19 +7,13 @@
 #include "bakers/preview/bake_assets.h"
 #include "bakers/workspace/copy_asset.h"
 #include "tests/incremental/bakes.h"
+#include "tests/support/cancelled_at.h"
 
 namespace skybake {
 namespace {
 
 namespace fs = std::filesystem;
 using namespace skybake::testing;
-
-class CountsSteps : public Progress {
-  public:
-    void advance(std::string_view, double) override { ++steps; }
-    bool cancelled() const override { return false; }
-    int steps = 0;
-};
 
 struct Shown {
     PreviewAssets assets;
@@ -32,11 +26,11 @@ Shown shown(const config::Recipe& recipe, const std::vector<fs::path>& folders,
     BakedFolders source(folders);
     AssetMemo memo;
     memo.sources = {&source};
-    CountsSteps progress;
+    CancelledAt progress("", 1 << 20);
     auto assets =
         bake_assets(recipe, recipe.parameters.bakes, "test", {1, certification, &progress}, &memo);
     EXPECT_TRUE(assets.value);
-    return {std::move(*assets.value), memo.ready, progress.steps};
+    return {std::move(*assets.value), memo.ready, progress.seen};
 }
 
 void expect_equal(const PreviewAssets& one, const PreviewAssets& other) {

@@ -69,10 +69,6 @@ TEST(UnusedOptions, OfASweepAreThoseOfItsContactSheet) {
     EXPECT_TRUE(unused_options({false, false, true}, options).empty());
 }
 
-config::Recipe recipe_of(const std::string& text) {
-    return test::without_diagnostics(config::parse_recipe(text, "test.toml"));
-}
-
 // A preview warns of what a recipe asks for in vain; a cloud's preset may ask for it.
 TEST(UnusedKeys, AreThoseOfTheRecipeThatNoPictureUses) {
     const std::string table = "preset = 'earth_hillaire'\n[bake.transmittance]\nsize = [32, 8]\n";
@@ -82,7 +78,8 @@ TEST(UnusedKeys, AreThoseOfTheRecipeThatNoPictureUses) {
     const std::string cloud = "[clouds.c]\npreset = 'cirrus'\n";
     const auto keys_of = [](const std::string& text) {
         std::string keys;
-        for (const config::Diagnostic& warning : unused_keys(recipe_of(text))) {
+        const auto recipe = test::without_diagnostics(config::parse_recipe(text, "test.toml"));
+        for (const config::Diagnostic& warning : unused_keys(recipe)) {
             EXPECT_EQ(warning.code, "W0216");
             EXPECT_EQ(warning.severity, config::Severity::warning);
             EXPECT_EQ(warning.where.source, "test.toml");

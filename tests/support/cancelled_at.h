@@ -1,6 +1,8 @@
 // An interruption in the middle of what is done.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <atomic>
 #include <string_view>
 
@@ -8,19 +10,28 @@
 
 namespace skybake::testing {
 
-// Cancels once `step` has advanced so many times; if it is empty, once any step has.
+// Cancels once `step` has advanced so many times, or this far; if it is empty, once any step has.
 class CancelledAt : public Progress {
   public:
-    CancelledAt(std::string_view step, int times) : step_(step), times_(times) {}
-    void advance(std::string_view step, double) override {
-        if (step_.empty() || step == step_) ++seen_;
+    CancelledAt(std::string_view step, int times, double fraction = 2)
+        : step_(step), times_(times), fraction_(fraction) {}
+    void advance(std::string_view step, double fraction) override {
+        EXPECT_TRUE(fraction >= 0 && fraction <= 1);
+        if (!step_.empty() && step != step_) return;
+        EXPECT_TRUE(!in_order || fraction >= last);
+        ++seen;
+        last = fraction;
     }
-    bool cancelled() const override { return seen_ >= times_; }
+    bool cancelled() const override { return seen >= times_ || last >= fraction_; }
+
+    bool in_order = false;  // fails where a fraction is smaller than the one before
+    std::atomic<int> seen = 0;
+    std::atomic<double> last = 0;
 
   private:
     std::string_view step_;
     int times_;
-    std::atomic<int> seen_ = 0;
+    double fraction_;
 };
 
 }  // namespace skybake::testing

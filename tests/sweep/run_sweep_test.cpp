@@ -13,11 +13,7 @@ namespace skybake {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::CountingObserver;
-using testing::files_below;
-using testing::job_of;
-using testing::run;
-using testing::small_recipe;
+using namespace testing;
 using Strings = std::vector<std::string>;
 
 // Six variants that share two noises.

@@ -11,6 +11,7 @@
 #include "config/assets/phase.h"
 #include "config/sections/layer.h"
 #include "config/sections/parameters.h"
+#include "config/text/mapped.h"
 
 namespace skybake {
 namespace {
@@ -30,7 +31,7 @@ std::shared_ptr<const SphereScattering> scattering_of(const config::LayerParticl
 constexpr double kMostExtinctionPerMeter = 1e6;
 
 Diagnostic problem(std::string message, std::string label) {
-    return {Severity::error, "E0144", std::move(message), {}, std::move(label)};
+    return diagnosis("E0144", std::move(message), std::move(label));
 }
 
 // Whether any spheres that count are within the bounds of radii.
@@ -70,10 +71,9 @@ Spectrum phase_values(const LayerPhase& phase, double one_minus_cosine, double o
 }
 
 std::vector<Spectrum> legendre_moments(const LayerPhase& phase, int degree) {
-    std::vector<std::vector<double>> moments;
-    for (const PhaseFunction& function : phase.functions) {
-        moments.push_back(legendre_moments(function, degree));
-    }
+    auto moments = mapped<std::vector<double>>(phase.functions, [&](const PhaseFunction& function) {
+        return legendre_moments(function, degree);
+    });
     std::vector<Spectrum> result(static_cast<std::size_t>(degree) + 1);
     for (std::size_t l = 0; l < result.size(); ++l) {
         if (phase.is_alike()) {
@@ -193,11 +193,9 @@ PhaseSource source_of_spheres(const config::LayerParticles& spheres,
 
 PhaseSource source_of_closed_form(const PhaseFunction& function, std::size_t channels) {
     const auto values = [&](const std::vector<ScatteringAngle>& angles) {
-        std::vector<double> result;
-        for (const ScatteringAngle& angle : angles) {
-            result.push_back(phase_value(function, angle.one_minus, angle.one_plus));
-        }
-        return result;
+        return mapped<double>(angles, [&](const ScatteringAngle& angle) {
+            return phase_value(function, angle.one_minus, angle.one_plus);
+        });
     };
     PhaseSource source;
     source.functions.assign(channels, function);

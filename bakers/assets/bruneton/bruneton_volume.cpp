@@ -243,7 +243,7 @@ Outcome<Baked> bake_bruneton(const PacketsOfAir& air, const BrunetonBake& bake,
         if (!packet.light || bake.orders != 0) continue;
         if (const auto problem = check_light(energy_balance(packet.medium, *packet.light),
                                              *packet.light, volume.name)) {
-            return {{}, {*problem}};
+            return *problem;
         }
     }
     if (bake.table == BrunetonTable::irradiance) {

@@ -10,6 +10,7 @@
 #include "bakers/light/nearby_suns.h"
 #include "bakers/light/ray_pieces.h"
 #include "bakers/math/lanes-inl.h"
+#include "config/text/mapped.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace skybake::HWY_NAMESPACE {
@@ -106,11 +107,8 @@ std::vector<BundlePiece> make_bundle_ray(const SkyMedium& medium,
                                          const ScatteringView& view) {
     const ray_pieces::CutRay ray = ray_pieces::cut(medium.air, view.altitude_km, view.s_km,
                                                    view.length_km, break_altitudes_km);
-    std::vector<BundlePiece> pieces;
-    for (const ray_pieces::Piece& piece : ray.pieces) {
-        pieces.push_back(bundle_piece(medium, piece));
-    }
-    return pieces;
+    return mapped<BundlePiece>(
+        ray.pieces, [&](const ray_pieces::Piece& piece) { return bundle_piece(medium, piece); });
 }
 
 HWY_EXPORT(AddSunlight);

@@ -7,11 +7,6 @@
 namespace skybake {
 namespace {
 
-// Returns the factor of light that a layer scatters for the first time.
-Spectrum phase_at(const SkyLayer& layer, double nu) {
-    return first_phase_values(layer, 1 - nu, 1 + nu);
-}
-
 // The true phase function, as a runtime has it.
 Spectrum true_phase_at(const SkyLayer& layer, double nu) {
     const bool has_peak = !layer.first_phase.functions.empty();
@@ -72,7 +67,7 @@ ScatteringParts ScatteringContent::parts(const ScatteringRow& row, std::size_t s
     const double rayleigh = rayleigh_phase(nu);
     for (std::size_t k = 0; k < row.single.size(); ++k) {
         if (!medium_.layers[k].scatters) continue;
-        const Spectrum own = phase_at(medium_.layers[k], nu);
+        const Spectrum own = first_phase_values(medium_.layers[k], 1 - nu, 1 + nu);
         const Spectrum& light = row.single[k][sun];
         if (!is_mie_[k]) parts.air += light * (own / rayleigh);
         for (std::size_t c = 0; c < colours_ && is_mie_[k]; ++c) {

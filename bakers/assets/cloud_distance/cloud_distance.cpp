@@ -24,6 +24,7 @@
 #include "bakers/occupancy/occupied_cells.h"
 #include "config/assets/occupancy_filter.h"
 #include "config/fields/fields.h"
+#include "config/text/mapped.h"
 
 namespace skybake {
 namespace {
@@ -38,11 +39,9 @@ using occupancy::DistanceSource;
 std::vector<std::string> grid_names(const std::vector<DistanceContent>& contents) {
     const config::Section& section = *config::find_section("bake.*", "cloud_distance");
     const auto words = config::choice_names(*config::find_field(section, "contents"));
-    std::vector<std::string> names;
-    for (const DistanceContent content : contents) {
-        names.emplace_back(words[static_cast<std::size_t>(content)]);
-    }
-    return names;
+    return mapped<std::string>(contents, [&](const DistanceContent content) {
+        return std::string(words[static_cast<std::size_t>(content)]);
+    });
 }
 
 std::string content_of(const CloudDistanceBake& bake) {
@@ -106,14 +105,13 @@ Certificate certificate_of(const Baked& volume, const DistanceCheckResult& found
 }
 
 Diagnostic failed_check(const Baked& volume, const DistanceCheckResult& found) {
-    Diagnostic diagnostic;
-    diagnostic.code = "E0405";
-    diagnostic.message = fmt::format(
-        "`{}`: {} of {} distances are too far and {} too near, by up to {:.3g} m, and {} of {} "
-        "steps are lost",
-        volume.name, found.too_far, found.points, found.too_near, found.worst_m, found.lost_steps,
-        found.steps);
-    return diagnostic;
+    return diagnosis(
+        "E0405",
+        fmt::format(
+            "`{}`: {} of {} distances are too far and {} too near, by up to {:.3g} m, and {} of {} "
+            "steps are lost",
+            volume.name, found.too_far, found.points, found.too_near, found.worst_m,
+            found.lost_steps, found.steps));
 }
 
 // One bake of the asset.
@@ -212,7 +210,7 @@ class DistanceBake {
 
     Outcome<Baked> finish(Baked volume, const DistanceCheckResult& found) const {
         if (options_.cancelled()) return {};
-        if (found.failed()) return {{}, {failed_check(volume, found)}};
+        if (found.failed()) return failed_check(volume, found);
         VolumeFinish finish;
         finish.histogram_ranges = histogram_ranges(bake_);
         finish.measure = [&](const Baked& baked, const BakeOptions&) {

@@ -10,7 +10,7 @@
 #include <limits>
 #include <optional>
 
-#include "bakers/air/cloud_optics.h"
+#include "bakers/air/cloud_phase.h"
 #include "bakers/assets/cloud_light/sky_parts.h"
 #include "bakers/math/bake_options.h"
 #include "bakers/math/intermediates.h"

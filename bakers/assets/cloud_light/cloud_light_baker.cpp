@@ -46,7 +46,7 @@ Outcome<Baked> bake(const Parameters& parameters, const CloudLightBake& asset,
     if (options.cancelled()) return {};
     if (auto problem =
             cloud_light::add_sky(parameters, asset, cloud, volume.name, options, layer)) {
-        return {{}, {*std::move(problem)}};
+        return *std::move(problem);
     }
     if (options.cancelled()) return {};
     if (const auto solution = shared_solution(parameters, asset)) layer.solution = solution->key;

@@ -212,13 +212,12 @@ class CellSearch {
             if (*error.value < least) best = cell;
             least = std::min(least, *error.value);
         }
-        Diagnostic diagnostic;
-        diagnostic.code = "E0403";
-        diagnostic.message = fmt::format(
-            "`{}`: no cell meets max_error = {:.3g}; the best, {}, has an RMS error of {:.3g}",
-            name, *bake_.max_error, best, least);
-        diagnostic.label = "use a larger max_error or pixel_type = \"float\"";
-        return {{}, {std::move(diagnostic)}};
+        return diagnosis(
+            "E0403",
+            fmt::format(
+                "`{}`: no cell meets max_error = {:.3g}; the best, {}, has an RMS error of {:.3g}",
+                name, *bake_.max_error, best, least),
+            "use a larger max_error or pixel_type = \"float\"");
     }
 
   private:

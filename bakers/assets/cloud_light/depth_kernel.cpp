@@ -52,7 +52,7 @@ HWY_INLINE Vector filtered(const FilteredRow& row, std::size_t at) {
                    between(along_x(4), along_x(6), row.share[1]), row.share[2]);
 }
 
-// density of cloud_optics.h.
+// density of cloud_phase.h.
 HWY_INLINE Vector density_of(Vector value, float threshold, float over_softness) {
     const Vector one = hn::Set(kFloats, 1.0F);
     const Vector above = hn::Sub(value, hn::Set(kFloats, threshold));

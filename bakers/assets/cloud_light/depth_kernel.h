@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <span>
 
-#include "bakers/air/cloud_optics.h"
+#include "bakers/air/cloud_phase.h"
 
 namespace skybake::cloud_light {
 

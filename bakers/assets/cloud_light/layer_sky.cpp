@@ -17,6 +17,7 @@
 #include "bakers/light/sky_colors.h"
 #include "bakers/light/sky_view_mapping.h"
 #include "bakers/math/parallel.h"
+#include "config/text/mapped.h"
 
 namespace skybake::cloud_light {
 namespace {
@@ -34,11 +35,8 @@ std::vector<double> luminance_weights(const Parameters& parameters, const BakeOp
     if (!fitted && options.cancelled()) return {};
     const std::vector<glm::dvec3> weights =
         fitted ? fitted->weights : linear_color_weights(parameters.wavelengths, color);
-    std::vector<double> luminance;
-    for (const glm::dvec3& weight : weights) {
-        luminance.push_back((to_xyz(color.space) * weight).y);
-    }
-    return luminance;
+    return mapped<double>(
+        weights, [&](const glm::dvec3& weight) { return (to_xyz(color.space) * weight).y; });
 }
 
 // The light of all packets of wavelengths as a camera sees it.
@@ -171,13 +169,11 @@ struct SkyOfCamera {
 };
 
 Diagnostic black_sky(const std::string& name, double altitude_km) {
-    Diagnostic fault;
-    fault.code = "E0189";
-    fault.message =
+    return diagnosis(
+        "E0189",
         fmt::format("`{}`: the sky is black at the top of the layer, {:.6g} km above the ground",
-                    name, altitude_km);
-    fault.label = "give the atmosphere layers that scatter light above the cloud";
-    return fault;
+                    name, altitude_km),
+        "give the atmosphere layers that scatter light above the cloud");
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "bakers/assets/cloud_light/radiance_kernel.h"
 #include "bakers/math/parallel.h"
 #include "bakers/math/transcendental.h"
+#include "config/text/mapped.h"
 
 namespace skybake::cloud_light {
 namespace {
@@ -116,11 +117,9 @@ RadianceSweep::RadianceSweep(const LayerCells& cells, int degree, int threads)
 }
 
 std::vector<SkyDirection> RadianceSweep::sky_ordinates() const {
-    std::vector<SkyDirection> ordinates;
-    for (const Ordinate& ordinate : downward_) {
-        ordinates.push_back({-ordinate.direction, ordinate.solid_angle});
-    }
-    return ordinates;
+    return mapped<SkyDirection>(downward_, [&](const Ordinate& ordinate) {
+        return SkyDirection{-ordinate.direction, ordinate.solid_angle};
+    });
 }
 
 void RadianceSweep::fill_passing(const LayerCells& cells, std::size_t node, double cosine,

@@ -128,14 +128,11 @@ std::vector<Diagnostic> warn_of_large_errors(const Parameters& parameters, Baked
     std::vector<Diagnostic> warnings;
     if (!baked.certified) return warnings;
     Certificate& certificate = baked.certificate;
-    for (LargeError& error : large_errors(certificate)) {
-        Diagnostic warning;
-        warning.severity = Severity::warning;
+    for (const LargeError& error : large_errors(certificate)) {
         // All assets of a recipe have the same colours, and one warning of them suffices.
-        warning.message = error.code == "W0222" ? std::move(error.text)
-                                                : fmt::format("`{}`: {}", baked.name, error.text);
-        warning.label = advice_on(error.code, parameters, baked);
-        warning.code = std::move(error.code);
+        const std::string subject = error.code == "W0222" ? "" : fmt::format("`{}`: ", baked.name);
+        Diagnostic warning =
+            diagnosis(error.code, subject + error.text, advice_on(error.code, parameters, baked));
         if (!certificate.advice.empty()) certificate.advice += "; ";
         certificate.advice += warning.label;
         warnings.push_back(std::move(warning));

@@ -178,12 +178,9 @@ Outcome<Baked> bake_solved_scattering(const config::Atmosphere& atmosphere,
 
     Outcome<Baked> outcome;
     if (moments && bake.max_error) {
-        Diagnostic failure;
-        failure.code = "E0403";
-        failure.message =
-            fmt::format("`{}`: max_error does not work with this `content`", table.name);
-        failure.label = "give `size` in place of `max_error`";
-        outcome.diagnostics.push_back(std::move(failure));
+        outcome.diagnostics.push_back(diagnosis(
+            "E0403", fmt::format("`{}`: max_error does not work with this `content`", table.name),
+            "give `size` in place of `max_error`"));
         return outcome;
     }
     const auto solved = light_of(light_request(atmosphere, bake), medium, options);

@@ -18,6 +18,7 @@
 #include "bakers/noise/noise_reference.h"
 #include "bakers/noise/noise_specification.h"
 #include "config/sections/parameters.h"
+#include "config/text/mapped.h"
 
 namespace skybake {
 namespace {
@@ -85,8 +86,7 @@ double seam_error(const NoiseField& field, const std::array<int, 3>& size) {
     constexpr int kPoints = 32;
     const auto channels = static_cast<std::size_t>(field.plan().output_channels());
     std::vector<float> here(channels);
-    std::vector<float*> targets;
-    for (float& value : here) targets.push_back(&value);
+    const auto targets = mapped<float*>(here, [](float& value) { return &value; });
     double largest = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         for (int i = 0; i < kPoints; ++i) {
@@ -123,11 +123,8 @@ std::size_t distinct_octaves(const NoisePlan& plan) {
 
 std::vector<std::array<double, 2>> usual_ranges(const Noise& noise) {
     if (noise.pack != NoisePacking::none) return {{0, 1}};
-    std::vector<std::array<double, 2>> ranges;
-    for (const NoiseChannel& channel : noise.channels) {
-        ranges.push_back(noise::nominal_range(channel));
-    }
-    return ranges;
+    return mapped<std::array<double, 2>>(
+        noise.channels, [&](const NoiseChannel& channel) { return noise::nominal_range(channel); });
 }
 
 Baked make_noise_volume(const Noise& noise, const NoiseVolumeBake& bake, Baked volume) {

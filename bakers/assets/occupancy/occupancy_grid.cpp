@@ -84,12 +84,10 @@ std::size_t unsafe_cells(const OccupiedCells& rule, const OccupiedCells& exact) 
 }
 
 Diagnostic lost_cell(const Baked& volume, const occupancy::LostCell& lost) {
-    Diagnostic diagnostic;
-    diagnostic.code = "E0405";
-    diagnostic.message =
+    return diagnosis(
+        "E0405",
         fmt::format("`{}`: cell ({}, {}, {}) is marked empty, but a lookup in it reaches {}",
-                    volume.name, lost.cell[0], lost.cell[1], lost.cell[2], lost.value);
-    return diagnostic;
+                    volume.name, lost.cell[0], lost.cell[1], lost.cell[2], lost.value));
 }
 
 // What leaps save a march, if there are any and it is to be found.
@@ -174,14 +172,11 @@ std::optional<Diagnostic> add_skipping_gain(const SkippingGain& gain, Baked& vol
     volume.details.emplace_back(fetches_without, to_digits(gain.without, 3));
     volume.details.emplace_back(fetches_with, to_digits(gain.with, 3));
     if (gain.with <= most_fetches * gain.without) return std::nullopt;
-    Diagnostic warning;
-    warning.severity = Severity::warning;
-    warning.code = "W0227";
-    warning.message =
+    return diagnosis(
+        "W0227",
         fmt::format("`{}` is not worth its fetches: a ray takes {:.3g} with it, and {:.3g} without",
-                    volume.name, gain.with, gain.without);
-    warning.label = "march this cloud without it, or with smaller cells";
-    return warning;
+                    volume.name, gain.with, gain.without),
+        "march this cloud without it, or with smaller cells");
 }
 
 Outcome<Baked> bake_occupancy(const OccupiedVolume& of, const OccupancyBake& bake,

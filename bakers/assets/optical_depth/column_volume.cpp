@@ -19,6 +19,7 @@
 #include "bakers/field/voxel_array.h"
 #include "bakers/math/bake_clock.h"
 #include "bakers/math/transcendental.h"
+#include "config/text/mapped.h"
 
 namespace skybake {
 
@@ -90,11 +91,9 @@ MeanDensities mean_densities_of(const OpticalDepthBake& bake,
             ? uniform_shells_km(top_km, bake.shells)
             : equal_attenuation_shells_km(mean_scale_height_km(kinds), top_km, bake.shells);
     return [shells](const ColumnKind& kind, const std::vector<ColumnPath>& paths) {
-        std::vector<double> means;
-        for (const ColumnPath& path : paths) {
-            means.push_back(sampled_mean_density(kind, shells, path));
-        }
-        return means;
+        return mapped<double>(paths, [&](const ColumnPath& path) {
+            return sampled_mean_density(kind, shells, path);
+        });
     };
 }
 
@@ -115,10 +114,9 @@ Contents columns(const Kinds& kinds, int channels, const OpticalDepthBake& bake,
     };
     result.finish.reference = [kinds, table](const std::array<double, 3>& uvw) {
         const ColumnPath path = table.path_at(uvw);
-        std::vector<double> values;
-        for (const ColumnKind& kind : *kinds) {
-            values.push_back(stored_of_mean_density(reference_mean_density(kind, path)));
-        }
+        auto values = mapped<double>(*kinds, [&](const ColumnKind& kind) {
+            return stored_of_mean_density(reference_mean_density(kind, path));
+        });
         return as_channels(std::move(values));
     };
     result.finish.reference_name = "adaptive quadrature of the densities along each path";

@@ -219,7 +219,7 @@ Outcome<Baked> bake_asset(const Recipe& recipe, const Bake& bake, const BakeOpti
     if (!problems.empty()) return {{}, std::move(problems)};
     if (auto fault = check_solvable(recipe.parameters.atmosphere, bake)) {
         add_recipe_place(recipe, bake, *fault);
-        return {{}, {std::move(*fault)}};
+        return std::move(*fault);
     }
     const AnyBaker& baker = baker_of(bake);
     AssetLabel label;

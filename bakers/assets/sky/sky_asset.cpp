@@ -89,14 +89,6 @@ double scattering_depth(const config::Atmosphere& atmosphere) {
     return *std::ranges::max_element(depths);
 }
 
-Diagnostic unsolvable(std::string message, std::string label) {
-    Diagnostic fault;
-    fault.code = "E0405";
-    fault.message = std::move(message);
-    fault.label = std::move(label);
-    return fault;
-}
-
 }  // namespace
 
 std::optional<Diagnostic> check_solvable(const config::Atmosphere& atmosphere, const Bake& bake) {
@@ -105,14 +97,16 @@ std::optional<Diagnostic> check_solvable(const config::Atmosphere& atmosphere, c
     if (!is_of_all_orders(bake)) return std::nullopt;
     const double depth = scattering_depth(atmosphere);
     if (depth > kGreatestDepth) {
-        return unsolvable(fmt::format("`{}`: the air scatters over a zenith optical depth of "
-                                      "{:.3g}; light of all orders is made for up to {}",
-                                      bake.name, depth, kGreatestDepth),
-                          "use smaller scattering coefficients: is the unit right?");
+        return diagnosis("E0405",
+                         fmt::format("`{}`: the air scatters over a zenith optical depth of "
+                                     "{:.3g}; light of all orders is made for up to {}",
+                                     bake.name, depth, kGreatestDepth),
+                         "use smaller scattering coefficients: is the unit right?");
     }
     const double thickness = thickness_of(atmosphere).meters / atmosphere.ground_radius.meters;
     if (thickness > kGreatestThickness) {
-        return unsolvable(
+        return diagnosis(
+            "E0405",
             fmt::format("`{}`: the air is {:.3g} times as high as the ground's radius; light of "
                         "all orders is made for up to {} times",
                         bake.name, thickness, kGreatestThickness),

@@ -25,7 +25,7 @@ template <class Light, class Make>
 Outcome<Baked> bake_of_light(const Light& light, const std::string& name,
                              const BakeOptions& options, const Make& make) {
     if (options.cancelled()) return {};
-    if (const auto problem = light.problem(name)) return {{}, {*problem}};
+    if (const auto problem = light.problem(name)) return *problem;
     return make(light);
 }
 

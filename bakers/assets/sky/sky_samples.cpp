@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "bakers/light/sky_view_mapping.h"
+#include "config/text/mapped.h"
 
 namespace skybake {
 namespace {
@@ -103,11 +104,9 @@ SkySample sky_sample(const Shell& shell, double altitude_km, double sun_elevatio
 std::vector<SkySample> sky_samples(const Shell& shell, double altitude_km,
                                    double sun_elevation_deg) {
     const SkyViewCamera camera(shell, altitude_km);
-    std::vector<SkySample> samples;
-    for (const Angles& angles : angles_of(camera, sun_elevation_deg)) {
-        samples.push_back(sample_at(camera, altitude_km, sun_elevation_deg, angles));
-    }
-    return samples;
+    return mapped<SkySample>(angles_of(camera, sun_elevation_deg), [&](const Angles& angles) {
+        return sample_at(camera, altitude_km, sun_elevation_deg, angles);
+    });
 }
 
 std::vector<SkySample> sky_samples(const Shell& shell, const std::vector<double>& altitudes_km,
@@ -142,31 +141,25 @@ std::vector<LevelSample> level_samples(const Shell& shell) {
 }
 
 std::vector<Place> irradiance_probes_at(const std::vector<LevelSample>& samples) {
-    std::vector<Place> at;
-    for (const LevelSample& sample : samples) {
-        at.push_back({{"altitude_km", sample.altitude_km}, {"sun_cos_zenith", sample.sun.cosine}});
-    }
-    return at;
+    return mapped<Place>(samples, [&](const LevelSample& sample) {
+        return Place{{"altitude_km", sample.altitude_km}, {"sun_cos_zenith", sample.sun.cosine}};
+    });
 }
 
 std::vector<Place> places_of(const std::vector<SkySample>& samples) {
-    std::vector<Place> places;
-    for (const SkySample& sample : samples) {
-        places.push_back({{"altitude_km", sample.altitude_km},
-                          {"sun_elevation_deg", sample.sun_elevation_deg},
-                          {"above_horizon_deg", sample.above_horizon_deg},
-                          {"azimuth_deg", sample.azimuth_deg}});
-    }
-    return places;
+    return mapped<Place>(samples, [&](const SkySample& sample) {
+        return Place{{"altitude_km", sample.altitude_km},
+                     {"sun_elevation_deg", sample.sun_elevation_deg},
+                     {"above_horizon_deg", sample.above_horizon_deg},
+                     {"azimuth_deg", sample.azimuth_deg}};
+    });
 }
 
 std::vector<Place> places_of(const std::vector<LevelSample>& samples) {
-    std::vector<Place> places;
-    for (const LevelSample& sample : samples) {
-        places.push_back(
-            {{"altitude_km", sample.altitude_km}, {"sun_elevation_deg", sample.sun_elevation_deg}});
-    }
-    return places;
+    return mapped<Place>(samples, [&](const LevelSample& sample) {
+        return Place{{"altitude_km", sample.altitude_km},
+                     {"sun_elevation_deg", sample.sun_elevation_deg}};
+    });
 }
 
 }  // namespace skybake

@@ -8,6 +8,7 @@
 #include "bakers/field/baked.h"
 #include "bakers/field/certify.h"
 #include "bakers/light/sky_radiance.h"
+#include "config/text/mapped.h"
 
 namespace skybake {
 namespace {
@@ -141,11 +142,9 @@ std::vector<glm::dvec3> weights_of(const Conventions& conventions) {
 std::vector<TraceOfPlace> traces_of_packets(
     const Parameters& parameters,
     const std::function<TraceOfPlace(std::shared_ptr<const TracedAir> air)>& trace_of) {
-    std::vector<TraceOfPlace> traces;
-    for (const config::Atmosphere& packet : light_packets(parameters)) {
-        traces.push_back(trace_of(std::make_shared<const TracedAir>(packet)));
-    }
-    return traces;
+    return mapped<TraceOfPlace>(light_packets(parameters), [&](const config::Atmosphere& packet) {
+        return trace_of(std::make_shared<const TracedAir>(packet));
+    });
 }
 
 TracedLight traced_sky(const Parameters& parameters, const std::vector<SkySample>& samples,

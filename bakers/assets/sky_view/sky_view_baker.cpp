@@ -21,6 +21,7 @@
 #include "bakers/light/strip_orders.h"
 #include "bakers/math/bake_clock.h"
 #include "config/assets/sky_view.h"
+#include "config/text/mapped.h"
 
 namespace skybake {
 namespace {
@@ -123,20 +124,18 @@ AssetLookup lookup(const Parameters& parameters, const SkyViewBake& asset,
 
 std::optional<TracedLight> traced(const Parameters& parameters, const SkyViewBake& asset) {
     if (asset.orders == config::SkyOrders::single) return std::nullopt;
-    std::vector<double> elevations_deg;
-    for (const config::Angle& elevation : asset.sun_elevations) {
-        elevations_deg.push_back(elevation.radians * kDegreesPerRadian);
-    }
+    const auto elevations_deg = mapped<double>(
+        asset.sun_elevations,
+        [&](const config::Angle& elevation) { return elevation.radians * kDegreesPerRadian; });
     // Traces every direction for one or two suns, and every n-th for more.
     const auto stride = static_cast<int>((elevations_deg.size() + 1) / 2);
     const std::vector<SkySample> samples = sky_samples(
         shell_of(parameters.atmosphere), {asset.altitude.kilometers()}, elevations_deg, stride);
-    std::vector<Place> at;
-    for (const SkySample& sample : samples) {
-        at.push_back({{"azimuth_deg", sample.azimuth_deg},
-                      {"above_horizon_deg", sample.above_horizon_deg},
-                      {"sun_elevation_deg", sample.sun_elevation_deg}});
-    }
+    auto at = mapped<Place>(samples, [&](const SkySample& sample) {
+        return Place{{"azimuth_deg", sample.azimuth_deg},
+                     {"above_horizon_deg", sample.above_horizon_deg},
+                     {"sun_elevation_deg", sample.sun_elevation_deg}};
+    });
     const auto places_in = [&](const StoredTexels& stored) {
         return places(parameters, asset, stored);
     };

@@ -132,14 +132,13 @@ class WeatherModel {
     }
 
     Diagnostic tied(std::size_t channel, const TiedTexels& ties) const {
-        Diagnostic problem;
-        problem.code = "E0411";
-        problem.message = fmt::format(
-            "channel {} of noise `{}` is {:.6g} at many texels: {:.4g} of them are above that, and "
-            "{:.4g} with those that are equal",
-            names_[channel], noise_.name, ties.value, ties.share_above, ties.share_with_it);
-        problem.label = "`covered` and `full` cannot lie between these two shares";
-        return problem;
+        return diagnosis("E0411",
+                         fmt::format("channel {} of noise `{}` is {:.6g} at many texels: {:.4g} of "
+                                     "them are above that, and "
+                                     "{:.4g} with those that are equal",
+                                     names_[channel], noise_.name, ties.value, ties.share_above,
+                                     ties.share_with_it),
+                         "`covered` and `full` cannot lie between these two shares");
     }
 
     static std::vector<double> directions(std::vector<double> vector) {

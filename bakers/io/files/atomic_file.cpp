@@ -22,9 +22,8 @@ namespace fs = std::filesystem;
 using FileStatus = std::optional<struct stat>;
 
 Outcome<WriteResult> failure(const fs::path& path, const std::string& reason) {
-    return {{},
-            {file_error("E0301", path.string(),
-                        fmt::format("cannot write `{}`: {}", path.string(), reason))}};
+    return file_error("E0301", path.string(),
+                      fmt::format("cannot write `{}`: {}", path.string(), reason));
 }
 
 Outcome<WriteResult> failure(const fs::path& path, int error) {

@@ -29,9 +29,8 @@ int open_emptied(const std::filesystem::path& path) {
 }
 
 Outcome<std::string> read_failure(const std::filesystem::path& path, const std::string& reason) {
-    return {{},
-            {file_error("E0300", path.string(),
-                        fmt::format("cannot read `{}`: {}", path.string(), reason))}};
+    return file_error("E0300", path.string(),
+                      fmt::format("cannot read `{}`: {}", path.string(), reason));
 }
 
 // Fills `bytes` from the start of the file and returns errno, or 0. If the file ends early, `bytes`
@@ -57,10 +56,10 @@ Outcome<FileInput> FileInput::open(const std::filesystem::path& path) {
         uninterrupted([&] { return ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK); }));
     struct stat status {};
     if (!file.valid() || ::fstat(file.get(), &status) != 0) {
-        return {{}, {unreadable(path, system_reason(errno))}};
+        return unreadable(path, system_reason(errno));
     }
-    if (S_ISDIR(status.st_mode)) return {{}, {unreadable(path, "it is a folder")}};
-    if (!S_ISREG(status.st_mode)) return {{}, {unreadable(path, "it is not a regular file")}};
+    if (S_ISDIR(status.st_mode)) return unreadable(path, "it is a folder");
+    if (!S_ISREG(status.st_mode)) return unreadable(path, "it is not a regular file");
     return {FileInput(path, std::move(file), static_cast<std::uint64_t>(status.st_size)), {}};
 }
 
@@ -91,7 +90,7 @@ Outcome<FileFingerprint> fingerprint(const std::filesystem::path& path) {
     Hasher hasher;
     while (true) {
         const auto count = file.value->read(result.bytes, piece.data(), piece.size());
-        if (!count) return {{}, {file.value->diagnostic()}};
+        if (!count) return file.value->diagnostic();
         if (*count == 0) break;
         hasher.update(std::string_view(piece).substr(0, *count));
         result.bytes += *count;
@@ -122,6 +121,11 @@ bool FileOutput::finish() {
     write_through(buffer_);
     buffer_.clear();
     return error_ == 0;
+}
+
+Outcome<bool> FileOutput::finished(bool complete) {
+    if (!finish()) return diagnostic();
+    return {complete, {}};
 }
 
 void FileOutput::write_through(std::string_view bytes) {

@@ -37,12 +37,11 @@ class FileDescriptor {
 };
 
 // Makes a diagnostic about a file.
-inline Diagnostic file_error(std::string code, const std::string& file, std::string message) {
-    Diagnostic diagnostic;
-    diagnostic.code = std::move(code);
-    diagnostic.message = std::move(message);
-    diagnostic.where.source = file;
-    return diagnostic;
+inline Diagnostic file_error(std::string code, const std::string& file, std::string message,
+                             std::string label = {}) {
+    const Severity severity = code.starts_with('W') ? Severity::warning : Severity::error;
+    const config::SourceRange where{file, 0, 0, 0, ""};
+    return {severity, std::move(code), std::move(message), where, std::move(label)};
 }
 
 // Returns the system's message for an errno: "No space left on device".
@@ -93,6 +92,8 @@ class FileOutput {
     std::uint64_t position() const { return position_ + buffer_.size(); }
     // Writes what is still in memory. Returns true if everything was written.
     bool finish();
+    // Finishes a file that is `complete` or cut short, and returns that.
+    Outcome<bool> finished(bool complete);
 
     // Returns the errno of the first failure, or 0.
     int error() const { return error_; }

@@ -67,13 +67,6 @@ void take_previous(std::optional<Manifest> manifest, OutputFolder& folder) {
     }
 }
 
-Diagnostic foreign(const fs::path& file, const std::string& why) {
-    Diagnostic diagnostic = file_error(
-        "E0303", file.string(), fmt::format("`{}` already exists and {}", file.string(), why));
-    diagnostic.label = "overwrite it with --force, or choose another folder with -o";
-    return diagnostic;
-}
-
 enum class Attempt { taken, busy, impossible };
 
 Attempt try_lock(int descriptor) {
@@ -104,10 +97,16 @@ FileDescriptor closed_last(FileDescriptor descriptor) {
 
 }  // namespace
 
+Diagnostic foreign_file(const fs::path& file, const std::string& why) {
+    return file_error("E0303", file.string(),
+                      fmt::format("`{}` already exists and {}", file.string(), why),
+                      "overwrite it with --force, or choose another folder with -o");
+}
+
 Outcome<OutputFolder> inspect_output_folder(const fs::path& folder,
                                             std::span<const std::string> files, bool force,
                                             bool to_be_written) {
-    if (auto diagnostic = obstacle(folder, to_be_written)) return {{}, {std::move(*diagnostic)}};
+    if (auto diagnostic = obstacle(folder, to_be_written)) return std::move(*diagnostic);
 
     OutputFolder result{folder, std::nullopt, {}};
     std::error_code error;
@@ -127,8 +126,8 @@ Outcome<OutputFolder> inspect_output_folder(const fs::path& folder,
         const fs::path path = folder / file;
         if (!fs::exists(fs::symlink_status(path, error))) continue;
         if (result.previous && claimed.hold(file)) continue;
-        diagnostics.push_back(
-            foreign(path, file == manifest_name ? manifest_fault : "was not written by skybake"));
+        diagnostics.push_back(foreign_file(
+            path, file == manifest_name ? manifest_fault : "was not written by skybake"));
     }
     if (!diagnostics.empty()) return {{}, std::move(diagnostics)};
     return {std::move(result), {}};
@@ -147,8 +146,7 @@ Outcome<std::vector<fs::path>> create_output_folder(const fs::path& folder) {
     fs::create_directories(folder, error);
     // It does not matter if another process has made the folder in the meantime.
     std::error_code ignored;
-    if (error && !fs::is_directory(folder, ignored))
-        return {{}, {unwritable(folder, error.message())}};
+    if (error && !fs::is_directory(folder, ignored)) return unwritable(folder, error.message());
     return {std::move(made), {}};
 }
 
@@ -169,10 +167,9 @@ Outcome<FolderLock> FolderLock::acquire(const fs::path& folder, const std::funct
                 [&] { return ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); })));
         }
         if (!open.valid()) {
-            return {{},
-                    {file_error("E0302", folder.string(),
-                                fmt::format("cannot open the folder `{}`: {}", folder.string(),
-                                            system_reason(errno)))}};
+            return file_error("E0302", folder.string(),
+                              fmt::format("cannot open the folder `{}`: {}", folder.string(),
+                                          system_reason(errno)));
         }
         const Attempt attempt = try_lock(open.get());
         if (attempt != Attempt::busy && is_still(folder, open.get())) {

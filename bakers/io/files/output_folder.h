@@ -35,6 +35,9 @@ Outcome<OutputFolder> inspect_output_folder(const std::filesystem::path& folder,
                                             std::span<const std::string> files, bool force,
                                             bool to_be_written = true);
 
+// Returns E0303 for a file that others have written; `why` follows "already exists and".
+Diagnostic foreign_file(const std::filesystem::path& file, const std::string& why);
+
 // Makes the folder and those above it if they are missing. Returns the folders made, the deepest
 // first. E0302 if that fails.
 Outcome<std::vector<std::filesystem::path>> create_output_folder(

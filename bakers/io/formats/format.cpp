@@ -156,7 +156,7 @@ config::Outcome<bool> read_texels(const TexelInput& next, const StoredTexelRange
         count = std::min(most, voxels - first);
         bytes.resize(static_cast<std::size_t>(count) * voxel_bytes);
         values.resize(static_cast<std::size_t>(count * stored));
-        if (const auto problem = next(bytes.data(), bytes.size())) return {{}, {*problem}};
+        if (const auto problem = next(bytes.data(), bytes.size())) return *problem;
         load_values(bytes.data(), values.size(), range.type, values.data());
         const bool padded = range.channels != range.stored_channels;
         if (padded) drop_padding(values, range, wanted);

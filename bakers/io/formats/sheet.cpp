@@ -238,7 +238,7 @@ config::Outcome<bool> read_atlas(const RowSource& image, const std::array<int, 3
     int count = 0;
     for (int z = 0; z < size[2]; z += count) {
         count = std::min({together, grid.columns - z % grid.columns, size[2] - z});
-        if (auto problem = reader.read(z, count, values.data())) return {{}, {*problem}};
+        if (auto problem = reader.read(z, count, values.data())) return *problem;
         if (!visit(z * slice, count * slice, values.data())) return {false, {}};
     }
     return {true, {}};
@@ -251,9 +251,7 @@ config::Outcome<bool> read_stack(const RowSource& image, const SheetGrid& grid,
     std::vector<float> values(static_cast<std::size_t>(step) * row);
     for (int y = 0; y < image.height; y += step) {
         step = std::min(step, image.height - y);
-        if (auto problem = read_rows(image, grid, y, step, values.data())) {
-            return {{}, {*problem}};
-        }
+        if (auto problem = read_rows(image, grid, y, step, values.data())) return *problem;
         const std::int64_t width = image.width;
         if (!visit(y * width, step * width, values.data())) return {false, {}};
     }

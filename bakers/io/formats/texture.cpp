@@ -81,7 +81,7 @@ config::Outcome<bool> read_blocks(const TexelInput& next, const std::array<int, 
     for (int z = 0; z < size[2]; ++z) {
         for (int y = 0; y < size[1]; y += texture_block_edge) {
             const auto problem = next(reinterpret_cast<char*>(blocks.data()), blocks.size());
-            if (problem) return {{}, {*problem}};
+            if (problem) return *problem;
             const int rows = std::min(texture_block_edge, size[1] - y);
             values.resize(static_cast<std::size_t>(rows * size[0]) * channels);
             for (int x = 0; x < size[0]; x += texture_block_edge) {

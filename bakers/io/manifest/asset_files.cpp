@@ -48,8 +48,7 @@ ManifestFile make_text_file(const Baked& baked, std::string path, std::string_vi
 Outcome<bool> write_text(std::string_view text, const std::filesystem::path& path) {
     FileOutput output(path);
     output.write(text);
-    if (!output.finish()) return {{}, {output.diagnostic()}};
-    return {true, {}};
+    return output.finished(true);
 }
 
 // Stages one file and records its length and hash.
@@ -140,9 +139,8 @@ Outcome<bool> read_asset_file(const std::filesystem::path& path, const ManifestA
                              file.texture};
     const Format& format = *find_format(file.format);
     if (format.read != nullptr) return format.read(path, shape, level, visit);
-    return {{},
-            {file_error("E0304", path.string(),
-                        fmt::format("`{}` has no voxels of its own", path.string()))}};
+    return file_error("E0304", path.string(),
+                      fmt::format("`{}` has no voxels of its own", path.string()));
 }
 
 }  // namespace skybake

@@ -47,8 +47,8 @@ Outcome<std::vector<ChannelDifference>> compare_channels(const ComparedImage& fi
     Image2<float> b(first.rows.width, step, interleaved);
     for (int y = 0; y < first.rows.height; y += step) {
         step = std::min(step, first.rows.height - y);
-        if (auto problem = first.rows.read(y, step, a.texels.data())) return {{}, {*problem}};
-        if (auto problem = second.rows.read(y, step, b.texels.data())) return {{}, {*problem}};
+        if (auto problem = first.rows.read(y, step, a.texels.data())) return *problem;
+        if (auto problem = second.rows.read(y, step, b.texels.data())) return *problem;
         for (std::size_t c = 0; c < sums.size(); ++c) add_rows(a, b, step, y, c, sums[c]);
     }
     std::vector<ChannelDifference> channels;

@@ -51,7 +51,7 @@ std::string hash_of_text(const Json& json) {
 }  // namespace
 
 Outcome<Manifest> read_manifest_file(const std::filesystem::path& file) {
-    if (auto diagnostic = holds_no_bake(file)) return {{}, {std::move(*diagnostic)}};
+    if (auto diagnostic = holds_no_bake(file)) return std::move(*diagnostic);
     Outcome<std::string> text = read_file(file, largest_manifest);
     if (!text.value) return {{}, std::move(text.diagnostics)};
     return parse_manifest(*text.value, file.string());

@@ -392,9 +392,8 @@ Json parse_json(std::string_view text) {
 
 Outcome<Manifest> parse_manifest(std::string_view text, const std::string& name) {
     const auto damaged = [&name](const std::string& reason) -> Outcome<Manifest> {
-        return {{},
-                {file_error("E0304", name,
-                            fmt::format("cannot read `{}` as a manifest: {}", name, reason))}};
+        return file_error("E0304", name,
+                          fmt::format("cannot read `{}` as a manifest: {}", name, reason));
     };
     try {
         return {read_whole(parse_json(text)), {}};
@@ -426,9 +425,9 @@ Outcome<ManifestAsset> parse_file_entry(std::string_view text, const std::string
         if (asset.files.size() != 1) throw Damage{"it names other files"};
         return {std::move(asset), {}};
     } catch (const Damage& damage) {
-        return {{}, {file_error("E0304", name, fmt::format("`{}`: {}", name, damage.what))}};
+        return file_error("E0304", name, fmt::format("`{}`: {}", name, damage.what));
     } catch (const std::exception& error) {
-        return {{}, {file_error("E0304", name, fmt::format("`{}`: {}", name, error.what()))}};
+        return file_error("E0304", name, fmt::format("`{}`: {}", name, error.what()));
     }
 }
 

@@ -232,13 +232,12 @@ Outcome<ManifestAsset> entry_of_file(const std::filesystem::path& path) {
     }
     Outcome<ManifestAsset> entry = parse_file_entry(text, path.string());
     if (!entry.value) {
-        Diagnostic diagnostic = file_error(
+        return file_error(
             "E0304", path.string(),
             fmt::format(
                 "`{}` does not say what it holds: skybake did not write it, or it is incomplete",
-                path.string()));
-        diagnostic.label = "a manifest.json in its folder may describe it";
-        return {{}, {std::move(diagnostic)}};
+                path.string()),
+            "a manifest.json in its folder may describe it");
     }
     entry.value->name = path.stem().string();
     std::error_code error;
@@ -255,9 +254,8 @@ Outcome<Recipe> recorded_recipe(const Manifest& manifest, const std::string& nam
     if (recipe.value) return {std::move(recipe.value), {}};  // its warnings were given at the bake
     const std::string reason =
         recipe.diagnostics.empty() ? "nothing is recorded" : recipe.diagnostics.front().message;
-    return {{},
-            {file_error("E0304", name,
-                        fmt::format("cannot take the recipe from `{}`: {}", name, reason))}};
+    return file_error("E0304", name,
+                      fmt::format("cannot take the recipe from `{}`: {}", name, reason));
 }
 
 }  // namespace skybake

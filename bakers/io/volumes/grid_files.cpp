@@ -9,7 +9,7 @@
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/files/to_string.h"
 #include "bakers/io/formats/nvdb/nvdb_layout.h"
-#include "bakers/io/formats/nvdb/nvdb_reader.h"
+#include "bakers/io/formats/nvdb/nvdb_file.h"
 #include "bakers/io/formats/nvdb/nvdb_source.h"
 #include "bakers/io/formats/vdb/vdb_source.h"
 
@@ -68,7 +68,7 @@ Outcome<FileFacts> inspect_grids(const fs::path& path) {
     for (const VdbGrid& grid : file.value->grids) {
         facts.names.push_back(grid.name);
         if (grid.value_type != type) {
-            return {{}, {damaged_file(path, "VDB", "its grids are of different types")}};
+            return damaged_file(path, "VDB", "its grids are of different types");
         }
     }
     if (type == to_string(PixelType::half)) facts.pixel_type = PixelType::half;
@@ -97,11 +97,11 @@ Outcome<bool> read_grid_voxels(const fs::path& path, const FileShape& shape, int
         fits = fits && (is_open || grid.value->size == shape.size);
         grids.push_back(std::move(*grid.value));
     }
-    if (!fits) return {{}, {other_size(path)}};
+    if (!fits) return other_size(path);
     try {
         return {visit_slabs(grids, shape.size, visit), {}};
     } catch (const std::exception& error) {
-        return {{}, {damaged_file(path, "VDB", error.what())}};
+        return damaged_file(path, "VDB", error.what());
     }
 }
 

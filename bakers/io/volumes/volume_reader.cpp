@@ -233,9 +233,8 @@ std::vector<Diagnostic> warnings_of(const VolumeFile& volume, const ValueFaults&
     Diagnostic warning = file_error(
         "W0226", path,
         fmt::format("`{}`: {}{}; they count as 0", path, words_of_fault(found, "below 0"),
-                    found.count > 1 ? fmt::format(", and {} is the least", found.least) : ""));
-    warning.severity = Severity::warning;
-    warning.label = "densities are at least 0";
+                    found.count > 1 ? fmt::format(", and {} is the least", found.least) : ""),
+        "densities are at least 0");
     if (!volume.file_place.source.empty()) warning.where = volume.file_place;
     return {std::move(warning)};
 }

@@ -13,6 +13,7 @@
 #include "bakers/air/particles/phase_function-inl.h"
 #include "bakers/light/solver/ray_cells-inl.h"
 #include "bakers/math/transcendental.h"
+#include "config/text/mapped.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace skybake::HWY_NAMESPACE {
@@ -85,11 +86,9 @@ inline std::vector<double> cosines_of_azimuths(int count) {
 }
 
 inline std::vector<double> sines_of(const SunAxis& suns) {
-    std::vector<double> sines;
-    for (const double cosine : suns.cosines) {
-        sines.push_back(square_root((1 - cosine) * (1 + cosine)));
-    }
-    return sines;
+    return mapped<double>(suns.cosines, [&](const double cosine) {
+        return square_root((1 - cosine) * (1 + cosine));
+    });
 }
 
 // The state of gather_first_light for one level.

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "bakers/math/transcendental.h"
+#include "config/text/mapped.h"
 
 namespace skybake {
 namespace {
@@ -36,10 +37,7 @@ constexpr std::size_t kLevelsPerSunlightBlock = 3;
 
 // The scale heights of exponential layers, ascending, one for all layers that are alike.
 std::vector<double> distinct_scale_heights_km(const Medium& medium) {
-    std::vector<double> all;
-    for (const ExponentialLayer& layer : medium.exponential_layers) {
-        all.push_back(layer.scale_height_km);
-    }
+    auto all = mapped<double>(medium.exponential_layers, &ExponentialLayer::scale_height_km);
     std::ranges::sort(all);
     std::vector<double> distinct;
     for (const double height : all) {

@@ -229,9 +229,8 @@ Json scene_of(const PreviewAssets& assets, const PreviewOptions& options, const 
 
 Outcome<std::string> live_scene(const PreviewAssets& assets, const PreviewOptions& options) {
     if (!assets.recipe) {
-        return {{},
-                {option_fault("--live needs the numbers of a recipe, and these files name none",
-                              "show the folder of a bake, or a recipe")}};
+        return option_fault("--live needs the numbers of a recipe, and these files name none",
+                            "show the folder of a bake, or a recipe");
     }
     std::string light_name = "the recipe's atmosphere";
     std::optional<RuntimeAir> light = runtime_air(*assets.recipe, assets, options.threads);

@@ -12,7 +12,7 @@
 #include "bakers/preview/bake_assets.h"
 #include "bakers/preview/cloud_inputs.h"
 #include "bakers/preview/pictures/asset_pictures.h"
-#include "bakers/render/white_balance.h"
+#include "bakers/render/cloud_view.h"
 #include "config/recipe/recipe.h"
 
 namespace skybake {

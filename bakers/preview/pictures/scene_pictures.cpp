@@ -12,6 +12,7 @@
 #include "bakers/preview/pictures/cloud_lighting.h"
 #include "bakers/render/stage_progress.h"
 #include "bakers/render/tone_curve.h"
+#include "config/text/mapped.h"
 
 namespace skybake {
 namespace {
@@ -46,8 +47,7 @@ std::string layer_text(const NamedLayer& layer) {
 }
 
 std::string layers_text(const std::vector<NamedLayer>& layers) {
-    std::vector<const NamedLayer*> rising;
-    for (const NamedLayer& layer : layers) rising.push_back(&layer);
+    auto rising = mapped<const NamedLayer*>(layers, [](const NamedLayer& layer) { return &layer; });
     std::ranges::stable_sort(rising, [](const NamedLayer* a, const NamedLayer* b) {
         return a->cloud.medium.base_m < b->cloud.medium.base_m;
     });
@@ -84,11 +84,10 @@ PreviewPicture scene_picture(const CloudPreviewInput& input, const Lighting& lig
                              int threads, Progress* progress) {
     FramedScene scene = framed(input, layers, sun);
     ProgressPart solving(progress, "light within the clouds", 0, 0);
-    std::vector<std::optional<LightInCloud>> lights;
-    for (const NamedLayer& layer : layers) {
-        lights.push_back(light_under(layer.light, lighting, layer.cloud.medium, sun,
-                                     {.threads = threads, .progress = &solving}));
-    }
+    const auto lights = mapped<std::optional<LightInCloud>>(layers, [&](const NamedLayer& layer) {
+        return light_under(layer.light, lighting, layer.cloud.medium, sun,
+                           {.threads = threads, .progress = &solving});
+    });
     for (std::size_t l = 0; l < layers.size(); ++l) {
         if (lights[l]) scene.layers[l].solved = &*lights[l];
     }

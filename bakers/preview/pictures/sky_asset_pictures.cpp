@@ -18,6 +18,7 @@
 #include "config/assets/irradiance.h"
 #include "config/assets/sky_view.h"
 #include "config/recipe/asset_parameters.h"
+#include "config/text/mapped.h"
 
 namespace skybake {
 namespace {
@@ -103,11 +104,9 @@ class AerialPictures {
     PreviewPicture light(int channels) const {
         const auto slice = [&](int z) { return shown(asset_, slice_of(asset_, z, 0, channels)); };
         const double exposure = exposure_for(slice(slices_.back()));
-        std::vector<Picture> pictures;
-        for (const int z : slices_) {
-            pictures.push_back(
-                tone_mapped(fitted(slice(z), slice_width, 2 * slice_width), exposure));
-        }
+        auto pictures = mapped<Picture>(slices_, [&](const int z) {
+            return tone_mapped(fitted(slice(z), slice_width, 2 * slice_width), exposure);
+        });
         return {
             asset_.entry.name + "_light", asset_.entry.name + ": light added by the air",
             fmt::format("The slices show the camera's picture, upright; {}.", tone_text(exposure)),
@@ -115,11 +114,10 @@ class AerialPictures {
     }
 
     PreviewPicture transmittance(int first, int count) const {
-        std::vector<Picture> pictures;
-        for (const int z : slices_) {
-            pictures.push_back(
-                as_shares(fitted(slice_of(asset_, z, first, count), slice_width, 2 * slice_width)));
-        }
+        const auto pictures = mapped<Picture>(slices_, [&](const int z) {
+            return as_shares(
+                fitted(slice_of(asset_, z, first, count), slice_width, 2 * slice_width));
+        });
         return {asset_.entry.name + "_transmittance", asset_.entry.name + ": transmittance",
                 "The slices show the camera's picture, upright; white is 1, black is 0.",
                 sheet(pictures)};

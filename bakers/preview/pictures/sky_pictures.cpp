@@ -17,8 +17,8 @@
 #include "bakers/plot/chart.h"
 #include "bakers/preview/pictures/asset_pictures.h"
 #include "bakers/preview/pictures/sky_reference.h"
+#include "bakers/render/cloud_view.h"
 #include "bakers/render/sky_view.h"
-#include "bakers/render/white_balance.h"
 
 namespace skybake {
 namespace {

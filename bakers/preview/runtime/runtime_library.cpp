@@ -16,7 +16,7 @@
 #include "bakers/march/cloud_light.h"
 #include "bakers/march/layer_march.h"
 #include "bakers/preview/page_text.h"
-#include "bakers/render/white_balance.h"
+#include "bakers/render/cloud_view.h"
 #include "config/assets/cloud_volume.h"
 #include "config/assets/occupancy.h"
 #include "config/assets/phase.h"

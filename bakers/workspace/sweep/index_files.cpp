@@ -264,11 +264,10 @@ std::vector<Diagnostic> inspect_index(const fs::path& folder, bool force) {
     if (!usable.value || force) return usable.diagnostics;
     // A sweep would mix its folders with the files of a bake.
     if (usable.value->previous) {
-        Diagnostic diagnostic = file_error(
+        return {file_error(
             "E0303", folder.string(),
-            fmt::format("`{}` holds a bake: it has a {}", folder.string(), manifest_name));
-        diagnostic.label = "choose another folder with -o, or sweep into this one with --force";
-        return {std::move(diagnostic)};
+            fmt::format("`{}` holds a bake: it has a {}", folder.string(), manifest_name),
+            "choose another folder with -o, or sweep into this one with --force")};
     }
     if (is_sweep_manifest(folder / sweep_manifest_name)) return {};
     std::vector<Diagnostic> diagnostics;
@@ -276,11 +275,7 @@ std::vector<Diagnostic> inspect_index(const fs::path& folder, bool force) {
         std::error_code error;
         const fs::path file = folder / name;
         if (!fs::exists(fs::symlink_status(file, error))) continue;
-        Diagnostic diagnostic = file_error(
-            "E0303", file.string(),
-            fmt::format("`{}` already exists and was not written by skybake", file.string()));
-        diagnostic.label = "overwrite it with --force, or choose another folder with -o";
-        diagnostics.push_back(std::move(diagnostic));
+        diagnostics.push_back(foreign_file(file, "was not written by skybake"));
     }
     return diagnostics;
 }

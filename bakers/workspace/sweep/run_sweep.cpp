@@ -21,12 +21,13 @@
 #include "bakers/workspace/cache_folder.h"
 #include "bakers/workspace/folder_plan.h"
 #include "config/recipe/recipe.h"
+#include "config/text/mapped.h"
 
 namespace skybake {
 namespace {
 
 Diagnostic internal_error(const std::exception& exception) {
-    return {Severity::error, "E0500", std::string("internal error: ") + exception.what(), {}, ""};
+    return diagnosis("E0500", std::string("internal error: ") + exception.what());
 }
 
 // Returns an error unless the assets are those that were planned. Otherwise one index would mix
@@ -185,7 +186,8 @@ class SweepRunner {
                 Task task{*it, {}};
                 const PlannedVariant& variant = plan_[*it];
                 if (!has_memory_for(variant)) continue;
-                if (!ready_.claim(wanted_keys(variant), task.made)) continue;
+                const auto wanted_keys = mapped<std::string>(variant.stale, &StaleAsset::key);
+                if (!ready_.claim(wanted_keys, task.made)) continue;
                 waiting_.erase(it);
                 ++running_;
                 memory_mib_ += variant.memory_mib;
@@ -201,12 +203,6 @@ class SweepRunner {
         const double kept_mib = static_cast<double>(intermediates_.kept_bytes()) / kMebibyte;
         return running_ == 0 || !job_.memory_limit_mib ||
                memory_mib_ + variant.memory_mib + kept_mib <= *job_.memory_limit_mib;
-    }
-
-    static std::vector<std::string> wanted_keys(const PlannedVariant& variant) {
-        std::vector<std::string> keys;
-        for (const StaleAsset& asset : variant.stale) keys.push_back(asset.key);
-        return keys;
     }
 
     void work(int threads) {
@@ -353,9 +349,8 @@ class SweepRunner {
 };
 
 std::vector<VariantResult> results_of(std::vector<PlannedVariant> plan) {
-    std::vector<VariantResult> results;
-    for (PlannedVariant& variant : plan) results.push_back(std::move(variant.result));
-    return results;
+    return mapped<VariantResult>(
+        plan, [&](PlannedVariant& variant) { return std::move(variant.result); });
 }
 
 }  // namespace

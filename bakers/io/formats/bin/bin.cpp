@@ -14,8 +14,7 @@ config::Outcome<bool> write_bin_file(const FileContent& content,
                                      const std::filesystem::path& path) {
     FileOutput output(path);
     const bool complete = write_texels(content, content.level, TexelPadding::none, output);
-    if (!output.finish()) return {{}, {output.diagnostic()}};
-    return {complete, {}};
+    return output.finished(complete);
 }
 
 config::Outcome<bool> read_bin_file(const std::filesystem::path& path, const FileShape& shape, int,
@@ -25,11 +24,10 @@ config::Outcome<bool> read_bin_file(const std::filesystem::path& path, const Fil
     const StoredTexelRange range = {0, shape.size, shape.channels, shape.channels,
                                     shape.pixel_type};
     if (file.value->size() != range.bytes()) {
-        return {{},
-                {file_error("E0304", path.string(),
-                            fmt::format("`{}` has {} bytes, but {} x {} x {} voxels take {}",
-                                        path.string(), file.value->size(), shape.size[0],
-                                        shape.size[1], shape.size[2], range.bytes()))}};
+        return file_error("E0304", path.string(),
+                          fmt::format("`{}` has {} bytes, but {} x {} x {} voxels take {}",
+                                      path.string(), file.value->size(), shape.size[0],
+                                      shape.size[1], shape.size[2], range.bytes()));
     }
     return read_texels(*file.value, range, visit);
 }

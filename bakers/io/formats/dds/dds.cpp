@@ -207,7 +207,7 @@ TexelInput face_input(FileInput& file, const FacePlaces& places) {
 
 Outcome<bool> write_dds_file(const FileContent& content, const fs::path& path) {
     if (const auto reason = texture_obstacle(content.baked, "DDS")) {
-        return {{}, {contradiction(path, *reason)}};
+        return contradiction(path, *reason);
     }
     FileOutput output(path);
     const Header header = header_of(content.baked);
@@ -226,8 +226,7 @@ Outcome<bool> write_dds_file(const FileContent& content, const fs::path& path) {
         complete =
             write_texture(content, static_cast<int>(level), face_sink(output, places[level]));
     }
-    if (!output.finish()) return {{}, {output.diagnostic()}};
-    return {complete, {}};
+    return output.finished(complete);
 }
 
 // Returns what a header contains that skybake does not write, in words, or nothing.
@@ -250,17 +249,15 @@ std::optional<std::string> strange(const Header& header) {
 Outcome<Header> read_header(FileInput& file, const fs::path& path) {
     Header header;
     const auto done = file.read(0, reinterpret_cast<char*>(&header), sizeof header);
-    if (!done) return {{}, {file.diagnostic()}};
-    if (*done < header.bytes()) {
-        return {{}, {damaged_file(path, "DDS", "it ends within its header")}};
-    }
+    if (!done) return file.diagnostic();
+    if (*done < header.bytes()) return damaged_file(path, "DDS", "it ends within its header");
     if (const auto kind = texel_kind(d3d, header.four_characters)) {  // what DX10 would say
         header.dxgi_format = texel_code(dxgi, kind->type, kind->channels);
         header.dimension = texture_2d;
         header.miscellaneous = header.capabilities_2 == is_cube_of_six_faces ? is_texture_cube : 0;
         header.array_size = 1;
     }
-    if (const auto reason = strange(header)) return {{}, {damaged_file(path, "DDS", *reason)}};
+    if (const auto reason = strange(header)) return damaged_file(path, "DDS", *reason);
     return {header, {}};
 }
 
@@ -272,9 +269,8 @@ Outcome<FileFacts> inspect_dds(const fs::path& path) {
     FileFacts facts;
     const auto kind = texel_kind(dxgi, header.value->dxgi_format);
     if (!kind) {
-        return {{},
-                {damaged_file(path, "DDS",
-                              fmt::format("its DXGI format is {}", header.value->dxgi_format))}};
+        return damaged_file(path, "DDS",
+                            fmt::format("its DXGI format is {}", header.value->dxgi_format));
     }
     facts.pixel_type = kind->type;
     facts.channels = kind->channels;
@@ -305,10 +301,10 @@ Outcome<bool> read_dds_file(const fs::path& path, const FileShape& shape, int le
     if (!file.value) return {{}, std::move(file.diagnostics)};
     const Outcome<Header> header = read_header(*file.value, path);
     if (!header.value) return {{}, header.diagnostics};
-    if (!fits(*header.value, shape)) return {{}, {other_size(path)}};
+    if (!fits(*header.value, shape)) return other_size(path);
     const FacePlaces wanted = face_places(shape, *header.value)[static_cast<std::size_t>(level)];
     const std::uint64_t bytes = wanted.face * parts_of(extent_of(*header.value, shape.parts));
-    if (file.value->size() != header.value->bytes() + bytes) return {{}, {other_size(path)}};
+    if (file.value->size() != header.value->bytes() + bytes) return other_size(path);
     return read_texture(face_input(*file.value, wanted), wanted.size, shape.pixel_type,
                         shape.channels, visit);
 }

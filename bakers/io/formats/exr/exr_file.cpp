@@ -35,9 +35,7 @@ std::optional<std::string> exr_obstacle(const Baked& baked, int level) {
 
 Outcome<bool> write_exr_file(const FileContent& content, const fs::path& path) {
     const Baked& baked = content.baked;
-    if (const auto reason = exr_obstacle(baked, content.level)) {
-        return {{}, {contradiction(path, *reason)}};
-    }
+    if (const auto reason = exr_obstacle(baked, content.level)) return contradiction(path, *reason);
     FileOutput output(path);
     bool complete = false;
     std::string reason;
@@ -60,10 +58,9 @@ Outcome<bool> write_exr_file(const FileContent& content, const fs::path& path) {
     } catch (const std::exception& error) {
         reason = error.what();
     }
-    if (!output.finish()) return {{}, {output.diagnostic()}};
+    if (!output.finish()) return output.diagnostic();
     if (!reason.empty()) {
-        return {{},
-                {contradiction(path, fmt::format("OpenEXR cannot encode the image: {}", reason))}};
+        return contradiction(path, fmt::format("OpenEXR cannot encode the image: {}", reason));
     }
     return {complete, {}};
 }
@@ -72,7 +69,7 @@ Outcome<FileFacts> inspect_exr(const fs::path& path) {
     const Outcome<ExrRows> image = ExrRows::open(path);
     if (!image.value) return {{}, image.diagnostics};
     const std::string& window = image.value->facts().window;
-    if (!window.empty()) return {{}, {damaged_exr(path.string(), "it is cropped to " + window)}};
+    if (!window.empty()) return damaged_exr(path.string(), "it is cropped to " + window);
     FileFacts facts;
     facts.pixel_type = image.value->facts().pixel_type;
     facts.names = image.value->facts().channel_names;
@@ -92,7 +89,7 @@ Outcome<bool> read_exr_file(const fs::path& path, const FileShape& shape, int,
     const RowSource rows = rows_of(*image.value);
     const std::array<std::int64_t, 2> size = {rows.width, rows.height};
     if (size != image_size(shape.size, shape.grid) || rows.channels != shape.channels) {
-        return {{}, {other_size(path)}};
+        return other_size(path);
     }
     return read_sheet(rows, shape.size, shape.grid, visit);
 }
@@ -142,17 +139,17 @@ const ExrFacts& ExrRows::facts() const { return file_->facts; }
 config::Outcome<ExrRows> ExrRows::open(const std::filesystem::path& path, int part) {
     config::Outcome<FileInput> input = FileInput::open(path);
     if (!input.value) return {{}, std::move(input.diagnostics)};
-    if (input.value->size() == 0) return {{}, {damaged_exr(path.string(), "it is empty")}};
+    if (input.value->size() == 0) return damaged_exr(path.string(), "it is empty");
     auto file = std::make_unique<File>(path.string(), std::move(*input.value));
     try {
         if (const auto reason = unreadable_header(file->stream, file->stream.size(), part)) {
-            return {{}, {damaged_exr(file->name, *reason)}};
+            return damaged_exr(file->name, *reason);
         }
         file->parts = std::make_unique<Imf::MultiPartInputFile>(file->stream, 0);  // 0: one thread
         file->image = std::make_unique<Imf::InputPart>(*file->parts, part);
         file->facts = facts_of(file->image->header());
     } catch (const std::exception& error) {
-        return {{}, {file->diagnostic(error.what())}};
+        return file->diagnostic(error.what());
     }
     return {ExrRows(std::move(file)), {}};
 }

@@ -73,8 +73,8 @@ config::Outcome<std::vector<ExrPartHead>> read_exr_heads(const std::filesystem::
         }
         return {std::move(parts), {}};
     } catch (const std::exception& error) {
-        if (auto failure = stream.failure()) return {{}, {*failure}};
-        return {{}, {damaged_exr(path.string(), error.what())}};
+        if (auto failure = stream.failure()) return *failure;
+        return damaged_exr(path.string(), error.what());
     }
 }
 

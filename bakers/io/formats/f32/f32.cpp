@@ -102,7 +102,7 @@ Outcome<bool> write_f32_file(const FileContent& content, const fs::path& path) {
     const Baked& baked = content.baked;
     const std::size_t channels = baked.channel_names.size();
     if (channels > f32_stored || baked.pixel_type != PixelType::float32) {
-        return {{}, {contradiction(path, "f32 files hold at most four channels of float")}};
+        return contradiction(path, "f32 files hold at most four channels of float");
     }
     const Level& level = baked.levels[static_cast<std::size_t>(content.level)];
     const F32Layout layout = {level.size, images_of(baked), level.size[2] == 1};
@@ -116,8 +116,7 @@ Outcome<bool> write_f32_file(const FileContent& content, const fs::path& path) {
         fill_piece(level, channels, box, layout, texels);
         output.write({reinterpret_cast<const char*>(texels.data()), texels.size() * sizeof(float)});
     }
-    if (!output.finish()) return {{}, {output.diagnostic()}};
-    return {complete, {}};
+    return output.finished(complete);
 }
 
 // Finds the layout whose head the file has; none: another one.
@@ -148,7 +147,7 @@ Outcome<bool> read_turned(FileInput& file, const F32Layout& layout, std::size_t 
     for (int w = 0; w < layout.size[2]; ++w) {
         if (auto problem =
                 next(reinterpret_cast<char*>(slice.data()), slice.size() * sizeof(float))) {
-            return {{}, {std::move(*problem)}};
+            return std::move(*problem);
         }
         for (std::size_t i = 0; i < count; ++i) {
             const auto u = static_cast<int>(i % static_cast<std::size_t>(layout.size[0]));
@@ -167,7 +166,7 @@ Outcome<bool> read_f32_file(const fs::path& path, const FileShape& shape, int,
     Outcome<FileInput> file = FileInput::open(path);
     if (!file.value) return {{}, std::move(file.diagnostics)};
     const auto layout = layout_in(*file.value, shape);
-    if (!layout || shape.channels > f32_stored) return {{}, {other_size(path)}};
+    if (!layout || shape.channels > f32_stored) return other_size(path);
     if (layout->is_turned()) return read_turned(*file.value, *layout, shape.channels, visit);
     return read_texels(
         *file.value,

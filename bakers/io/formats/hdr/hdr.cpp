@@ -32,10 +32,10 @@ std::string hdr_foot(const std::string& entry) {
 Outcome<bool> write_hdr_file(const FileContent& content, const fs::path& path) {
     const Baked& baked = content.baked;
     if (baked.channel_names.size() != 3 || baked.pixel_type != PixelType::rgbe) {
-        return {{}, {contradiction(path, "Radiance files hold three channels of rgbe")}};
+        return contradiction(path, "Radiance files hold three channels of rgbe");
     }
     const LoadedCodec<ImageCodec>& loaded = image_codec();
-    if (loaded.codec == nullptr) return {{}, {file_error("E0301", path.string(), loaded.reason)}};
+    if (loaded.codec == nullptr) return file_error("E0301", path.string(), loaded.reason);
     SheetWriter sheet(baked, content.level, content.threads, content.progress);
     std::vector<float> texels;
     const bool complete = sheet.write([&](const SheetRows& rows, int) {
@@ -48,12 +48,11 @@ Outcome<bool> write_hdr_file(const FileContent& content, const fs::path& path) {
     FileOutput output(path);
     if (complete) {
         const auto picture = loaded.codec->encode_hdr(sheet.width(), sheet.height(), texels);
-        if (!picture.problem.empty()) return {{}, {contradiction(path, picture.problem)}};
+        if (!picture.problem.empty()) return contradiction(path, picture.problem);
         output.write(picture.bytes);
         output.write(content.metadata + hdr_foot(content.metadata));
     }
-    if (!output.finish()) return {{}, {output.diagnostic()}};
-    return {complete, {}};
+    return output.finished(complete);
 }
 
 std::optional<std::string> entry_behind(FileInput& file) {
@@ -81,10 +80,10 @@ Outcome<FileFacts> inspect_hdr(const fs::path& path) {
         width = std::strtoll(next + std::string_view(" +X ").size(), nullptr, 10);
     }
     if (!head || !head->starts_with(hdr_head(width, height))) {
-        return {{}, {damaged_file(path, "Radiance", "its head is that of another program")}};
+        return damaged_file(path, "Radiance", "its head is that of another program");
     }
     auto entry = entry_behind(*file.value);
-    if (!entry) return {{}, {damaged_file(path, "Radiance", "it ends early")}};
+    if (!entry) return damaged_file(path, "Radiance", "it ends early");
     facts.pixel_type = PixelType::rgbe;
     facts.channels = 3;
     facts.metadata = std::move(*entry);
@@ -97,7 +96,7 @@ Outcome<bool> read_hdr_file(const fs::path& path, const FileShape& shape, int,
     if (!facts.value) return {{}, facts.diagnostics};
     if (facts.value->image_size != image_size(shape.size, shape.grid) || shape.channels != 3 ||
         shape.pixel_type != PixelType::rgbe) {
-        return {{}, {other_size(path)}};
+        return other_size(path);
     }
     const Outcome<HdrPicture> picture = read_hdr_picture(path);
     if (!picture.value) return {{}, picture.diagnostics};
@@ -110,13 +109,12 @@ Outcome<HdrPicture> read_hdr_picture(const fs::path& path) {
     Outcome<FileInput> file = FileInput::open(path);
     if (!file.value) return {{}, std::move(file.diagnostics)};
     const LoadedCodec<ImageCodec>& loaded = image_codec();
-    if (loaded.codec == nullptr) return {{}, {file_error("E0300", path.string(), loaded.reason)}};
+    if (loaded.codec == nullptr) return file_error("E0300", path.string(), loaded.reason);
     const auto pixels = std::make_shared<const MapPixels>(loaded.codec->read(path, "R", 3));
     if (!pixels->problem.empty() || pixels->values.empty()) {
-        return {{},
-                {damaged_file(
-                    path, "Radiance",
-                    pixels->problem.empty() ? "it has no channels R, G and B" : pixels->problem)}};
+        return damaged_file(
+            path, "Radiance",
+            pixels->problem.empty() ? "it has no channels R, G and B" : pixels->problem);
     }
     const std::size_t row = 3 * static_cast<std::size_t>(pixels->width);
     const auto read = [pixels, row](int first, int count,

@@ -57,8 +57,7 @@ class Ktx2Writer {
         }
         output_.seek(sizeof(Ktx2Header));
         write_places();
-        if (!output_.finish()) return {{}, {output_.diagnostic()}};
-        return {complete, {}};
+        return output_.finished(complete);
     }
 
   private:
@@ -124,7 +123,7 @@ class Ktx2Writer {
 
 Outcome<bool> write_ktx2_file(const FileContent& content, const fs::path& path) {
     if (const auto reason = texture_obstacle(content.baked, "KTX2")) {
-        return {{}, {contradiction(path, *reason)}};
+        return contradiction(path, *reason);
     }
     return Ktx2Writer(content, path).write();
 }
@@ -138,7 +137,7 @@ class Ktx2File {
         Outcome<FileInput> file = FileInput::open(path);
         if (!file.value) return {{}, std::move(file.diagnostics)};
         Ktx2File opened(path, std::move(*file.value));
-        if (const auto problem = opened.read_head()) return {{}, {*problem}};
+        if (const auto problem = opened.read_head()) return *problem;
         return {std::move(opened), {}};
     }
 
@@ -208,8 +207,7 @@ Outcome<FileFacts> inspect_ktx2(const fs::path& path) {
     FileFacts facts;
     const auto kind = ktx2_texels(header.vk_format);
     if (!kind) {
-        return {{},
-                {damaged_file(path, "KTX2", fmt::format("its VkFormat is {}", header.vk_format))}};
+        return damaged_file(path, "KTX2", fmt::format("its VkFormat is {}", header.vk_format));
     }
     facts.pixel_type = kind->type;
     facts.channels = kind->channels;
@@ -221,11 +219,10 @@ Outcome<FileFacts> inspect_ktx2(const fs::path& path) {
             {damaged_file(path, "KTX2", "its data format descriptor is not that of its VkFormat")}};
     }
     const auto values = file.value->part(header.values_offset, header.values_bytes, most_values);
-    if (!values) return {{}, {damaged_file(path, "KTX2", "it ends within its keys and values")}};
+    if (!values) return damaged_file(path, "KTX2", "it ends within its keys and values");
     const std::string_view wanted = ktx2_orientation(header);
     if (ktx2_value(*values, "KTXorientation") != wanted) {
-        return {{},
-                {damaged_file(path, "KTX2", fmt::format("its KTXorientation is not {}", wanted))}};
+        return damaged_file(path, "KTX2", fmt::format("its KTXorientation is not {}", wanted));
     }
     facts.metadata = ktx2_value(*values, metadata_name).value_or("");
     facts.compression = to_string(header.compression == zstandard ? config::Ktx2Compression::zstd
@@ -251,14 +248,14 @@ Outcome<bool> read_ktx2_file(const fs::path& path, const FileShape& shape, int l
     Outcome<Ktx2File> file = Ktx2File::open(path);
     if (!file.value) return {{}, std::move(file.diagnostics)};
     const Ktx2Header& header = file.value->header();
-    if (!fits_ktx2(header, shape)) return {{}, {other_size(path)}};
+    if (!fits_ktx2(header, shape)) return other_size(path);
     const LevelPlace& place = file.value->place(level);
     std::array<int, 3> size = shape.size;
     for (int i = 0; i < level; ++i) size = next_texture_size(size, shape.parts);
     const std::uint64_t bytes = texture_bytes(size, shape.pixel_type, shape.channels);
     const bool is_compressed = header.compression == zstandard;
     if (place.uncompressed_bytes != bytes || (!is_compressed && place.bytes != bytes)) {
-        return {{}, {other_size(path)}};
+        return other_size(path);
     }
     if (!is_compressed) {
         return read_texture(texel_input(file.value->file(), place.offset), size, shape.pixel_type,
@@ -272,7 +269,7 @@ Outcome<bool> read_ktx2_file(const fs::path& path, const FileShape& shape, int l
         return problem;
     };
     Outcome<bool> read = read_texture(next, size, shape.pixel_type, shape.channels, visit);
-    if (read.value == true && !frame.is_at_end()) return {{}, {problem}};
+    if (read.value == true && !frame.is_at_end()) return problem;
     return read;
 }
 

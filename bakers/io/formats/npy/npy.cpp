@@ -51,8 +51,7 @@ Outcome<bool> write_npy_file(const FileContent& content, const fs::path& path) {
     output.write(npy_head(baked.levels[static_cast<std::size_t>(content.level)].size,
                           baked.is_table(), baked.channel_names.size(), baked.pixel_type));
     const bool complete = write_texels(content, content.level, TexelPadding::none, output);
-    if (!output.finish()) return {{}, {output.diagnostic()}};
-    return {complete, {}};
+    return output.finished(complete);
 }
 
 // A file of another program may say the same in other words; skybake reads its own.
@@ -64,14 +63,14 @@ Outcome<bool> read_npy_file(const fs::path& path, const FileShape& shape, int,
         const std::string head = npy_head(shape.size, is_flat, shape.channels, shape.pixel_type);
         std::string found(head.size(), '\0');
         const auto done = file.value->read(0, found.data(), found.size());
-        if (!done) return {{}, {file.value->diagnostic()}};
+        if (!done) return file.value->diagnostic();
         if (found != head || (is_flat && shape.size[2] != 1)) continue;
         const StoredTexelRange range = {head.size(), shape.size, shape.channels, shape.channels,
                                         shape.pixel_type};
         if (file.value->size() != range.offset + range.bytes()) break;
         return read_texels(*file.value, range, visit);
     }
-    return {{}, {other_size(path)}};
+    return other_size(path);
 }
 
 }  // namespace

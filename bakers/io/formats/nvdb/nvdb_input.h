@@ -113,10 +113,9 @@ config::Outcome<T> with_nvdb_file(const std::filesystem::path& path, const Work&
         return work(opened);
     } catch (const NvdbDamage& damage) {
         const std::string name = path.string();
-        return {{},
-                {file_error("E0304", name,
-                            fmt::format("skybake cannot read `{}` as a NanoVDB file: {}", name,
-                                        damage.reason))}};
+        return file_error(
+            "E0304", name,
+            fmt::format("skybake cannot read `{}` as a NanoVDB file: {}", name, damage.reason));
     }
 }
 

@@ -1,10 +1,8 @@
-#include "bakers/io/formats/nvdb/nvdb_reader.h"
+#include "bakers/io/formats/nvdb/nvdb_file.h"
 
 #include <utility>
 
-#include "bakers/io/formats/format.h"
 #include "bakers/io/formats/nvdb/nvdb_input.h"
-#include "bakers/io/formats/nvdb/nvdb_writer.h"
 #include "bakers/io/volumes/grid_files.h"
 #include "config/sections/file_formats.h"
 

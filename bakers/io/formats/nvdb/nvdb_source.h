@@ -16,7 +16,7 @@ namespace skybake {
 // once. Memory use is 24 bytes for each leaf and tile.
 //
 // E0300 if the file cannot be read. E0304 if it is damaged, which its checksum tells, or compressed, was
-// written by another major version (nvdb_reader.h), has no such grid (file_voxels.h), or the grid has
+// written by another major version (nvdb_file.h), has no such grid (file_voxels.h), or the grid has
 // another type, is sheared or turned by other than right angles, has no active voxels, active voxels
 // beyond its bounds or a value that is not finite, unless these are the background; the message says
 // which.

@@ -1,4 +1,4 @@
-#include "bakers/io/formats/nvdb/nvdb_writer.h"
+#include "bakers/io/formats/nvdb/nvdb_file.h"
 
 #include <algorithm>
 #include <bit>
@@ -366,8 +366,7 @@ Outcome<bool> write_nvdb(const FileContent& content, const fs::path& path) {
     }
     output.seek(0);
     output.write(head);
-    if (!output.finish()) return {{}, {output.diagnostic()}};
-    return {complete, {}};
+    return output.finished(complete);
 }
 
 }  // namespace skybake

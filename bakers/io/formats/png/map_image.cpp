@@ -95,24 +95,21 @@ Outcome<MapImage> read_map_image(const config::CloudMap& map) {
         const std::string words = fmt::format("cannot read `{}`: ", file);
         const std::string& message = opened.diagnostics.at(0).message;
         assert(message.starts_with(words));
-        return {{}, {map_error("E0300", map, map.file_place, message.substr(words.size()))}};
+        return map_error("E0300", map, map.file_place, message.substr(words.size()));
     }
     const LoadedCodec<ImageCodec>& loaded = image_codec();
-    if (loaded.codec == nullptr) {
-        return {{}, {map_error("E0300", map, map.file_place, loaded.reason)}};
-    }
+    if (loaded.codec == nullptr) return map_error("E0300", map, map.file_place, loaded.reason);
     // The library would fail without a word.
     const auto parts = read_exr_heads(map.path);
     const std::string subsampled = parts.value ? subsampled_channel(*parts.value) : "";
-    if (!subsampled.empty()) return {{}, {not_a_map(map, subsampled)}};
+    if (!subsampled.empty()) return not_a_map(map, subsampled);
     MapPixels pixels = loaded.codec->read(map.path, map.channel, 1);
-    if (!pixels.problem.empty()) return {{}, {not_a_map(map, pixels.problem)}};
+    if (!pixels.problem.empty()) return not_a_map(map, pixels.problem);
     if (pixels.values.empty()) {
-        return {{},
-                {map_error("E0304", map, map.channel_place,
-                           no_such_channel(map.channel, pixels.channel_names))}};
+        return map_error("E0304", map, map.channel_place,
+                         no_such_channel(map.channel, pixels.channel_names));
     }
-    if (const auto problem = make_shares(map, pixels)) return {{}, {not_a_map(map, *problem)}};
+    if (const auto problem = make_shares(map, pixels)) return not_a_map(map, *problem);
     return {finished(std::move(pixels)), {}};
 }
 

@@ -7,6 +7,7 @@
 #include <png.h>
 
 #include <array>
+#include <cstdint>
 #include <cstring>
 #include <exception>
 #include <stdexcept>
@@ -17,7 +18,6 @@
 #include "bakers/field/pixel_type.h"
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/formats/format.h"
-#include "bakers/io/formats/png/png_chunks.h"
 
 namespace skybake {
 namespace {
@@ -109,9 +109,7 @@ std::optional<std::string> png_obstacle(const Baked& baked, int level) {
 
 Outcome<bool> write_png_file(const FileContent& content, const fs::path& path) {
     const Baked& baked = content.baked;
-    if (const auto reason = png_obstacle(baked, content.level)) {
-        return {{}, {contradiction(path, *reason)}};
-    }
+    if (const auto reason = png_obstacle(baked, content.level)) return contradiction(path, *reason);
     const std::size_t channels = baked.channel_names.size();
     const auto sample = static_cast<std::size_t>(bytes_per_value(baked.pixel_type));
     FileOutput output(path);
@@ -133,14 +131,30 @@ Outcome<bool> write_png_file(const FileContent& content, const fs::path& path) {
     } catch (const std::exception& error) {
         reason = error.what();
     }
-    if (!output.finish()) return {{}, {output.diagnostic()}};
+    if (!output.finish()) return output.diagnostic();
     if (!reason.empty()) {
-        return {{}, {contradiction(path, fmt::format("libpng cannot encode it: {}", reason))}};
+        return contradiction(path, fmt::format("libpng cannot encode it: {}", reason));
     }
     return {complete, {}};
 }
 
 // --- Reading ------------------------------------------------------------------------------------
+
+// Throws if a chunk is longer than what is left of its file: the library allocates what the chunk's
+// head says before it reads on. What is no PNG file at all is left to the library to tell.
+void check_chunk_lengths(FileInput& file) {
+    std::array<unsigned char, 8> head{};
+    const auto read_head = [&](std::uint64_t position) {
+        const auto done = file.read(position, reinterpret_cast<char*>(head.data()), head.size());
+        return done && *done == head.size();
+    };
+    if (!read_head(0) || png_sig_cmp(head.data(), 0, head.size()) != 0) return;
+    std::uint64_t position = head.size();
+    while (read_head(position) && std::memcmp(head.data() + 4, "IEND", 4) != 0) {
+        position += 12 + std::uint64_t{png_get_uint_32(head.data())};  // and its name and checksum
+        if (position > file.size()) throw std::runtime_error("a chunk is longer than the file");
+    }
+}
 
 struct ReadPosition {
     FileInput& file;
@@ -211,7 +225,7 @@ Outcome<FileFacts> inspect_png(const fs::path& path) {
     try {
         return {Reader(*file.value).open(), {}};
     } catch (const std::exception& error) {
-        return {{}, {damaged_file(path, "PNG", error.what())}};
+        return damaged_file(path, "PNG", error.what());
     }
 }
 
@@ -268,11 +282,11 @@ Outcome<bool> read_png_file(const fs::path& path, const FileShape& shape, int,
         if (rows.facts().image_size != image_size(shape.size, shape.grid) ||
             rows.facts().channels != shape.channels ||
             rows.facts().pixel_type != shape.pixel_type) {
-            return {{}, {other_size(path)}};
+            return other_size(path);
         }
         return read_sheet(rows.source(), shape.size, shape.grid, visit);
     } catch (const std::exception& error) {
-        return {{}, {damaged_file(path, "PNG", error.what())}};
+        return damaged_file(path, "PNG", error.what());
     }
 }
 

@@ -98,9 +98,7 @@ std::optional<std::string> tga_obstacle(const Baked& baked, int level) {
 
 Outcome<bool> write_tga_file(const FileContent& content, const fs::path& path) {
     const Baked& baked = content.baked;
-    if (const auto reason = tga_obstacle(baked, content.level)) {
-        return {{}, {contradiction(path, *reason)}};
-    }
+    if (const auto reason = tga_obstacle(baked, content.level)) return contradiction(path, *reason);
     const std::size_t channels = baked.channel_names.size();
     SheetWriter sheet(baked, content.level, content.threads, content.progress);
     FileOutput output(path);
@@ -113,8 +111,7 @@ Outcome<bool> write_tga_file(const FileContent& content, const fs::path& path) {
         }
     });
     output.write(tga_tail(output.position(), content.metadata, channels == 4));
-    if (!output.finish()) return {{}, {output.diagnostic()}};
-    return {complete, {}};
+    return output.finished(complete);
 }
 
 // Returns the description, or nothing if the areas behind the image are not those of skybake.
@@ -132,17 +129,17 @@ std::optional<std::string> tga_description(FileInput& file) {
 
 Outcome<FileFacts> inspect_tga_file(FileInput& file, const fs::path& path) {
     const auto head = file_part(file, 0, head_size);
-    if (!head) return {{}, {damaged_file(path, "TGA", "it ends within its head")}};
+    if (!head) return damaged_file(path, "TGA", "it ends within its head");
     FileFacts facts;
     facts.pixel_type = PixelType::unorm8;
     facts.image_size = {little(*head, 12, 2), little(*head, 14, 2)};
     facts.channels = little(*head, 16, 1) / 8;
     if (*head != tga_head(static_cast<int>(facts.image_size[0]),
                           static_cast<int>(facts.image_size[1]), facts.channels)) {
-        return {{}, {damaged_file(path, "TGA", "its head is that of another kind of image")}};
+        return damaged_file(path, "TGA", "its head is that of another kind of image");
     }
     const auto description = tga_description(file);
-    if (!description) return {{}, {damaged_file(path, "TGA", "it ends early")}};
+    if (!description) return damaged_file(path, "TGA", "it ends early");
     facts.metadata = *description;
     return {std::move(facts), {}};
 }
@@ -165,7 +162,7 @@ Outcome<bool> read_tga_file(const fs::path& path, const FileShape& shape, int,
     if (facts.value->image_size != std::array{width, height} ||
         facts.value->channels != shape.channels || shape.pixel_type != PixelType::unorm8 ||
         file.value->size() < head_size + row * static_cast<std::uint64_t>(height)) {
-        return {{}, {other_size(path)}};
+        return other_size(path);
     }
     std::string bytes;
     const auto read = [&](int first, int count,

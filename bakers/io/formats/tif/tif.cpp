@@ -143,13 +143,12 @@ Outcome<bool> write_tif_file(const FileContent& content, const fs::path& path) {
     const Baked& baked = content.baked;
     const TifPages pages = tif_pages(baked.levels[static_cast<std::size_t>(content.level)].size,
                                      baked.channel_names.size(), content.metadata);
-    if (const auto reason = tif_obstacle(baked, pages)) return {{}, {contradiction(path, *reason)}};
+    if (const auto reason = tif_obstacle(baked, pages)) return contradiction(path, *reason);
     FileOutput output(path);
     output.write(tif_head(pages));
     const bool complete = write_texels(content, content.level, TexelPadding::none, output);
     output.write(tif_tail(pages));
-    if (!output.finish()) return {{}, {output.diagnostic()}};
-    return {complete, {}};
+    return output.finished(complete);
 }
 
 // Reads the first page's directory, whose entries stand where skybake writes them.
@@ -158,13 +157,13 @@ Outcome<FileFacts> inspect_tif(const fs::path& path) {
     if (!file.value) return {{}, std::move(file.diagnostics)};
     const auto head = file_part(*file.value, 0, tif_head_size);
     if (!head || head->substr(0, 4) != std::string({'I', 'I', 42, 0})) {
-        return {{}, {damaged_file(path, "TIFF", "it does not begin with `II*`")}};
+        return damaged_file(path, "TIFF", "it does not begin with `II*`");
     }
     const auto entries = file_part(*file.value, little(*head, 4, 4), 2 + 10 * tif_entry_size);
     const auto value = [&](std::size_t entry) { return little(*entries, 10 + 12 * entry, 4); };
     if (!entries || little(*entries, 2 + 6 * tif_entry_size, 2) != 270 ||
         little(*entries, 2 + 8 * tif_entry_size, 2) != 277) {
-        return {{}, {damaged_file(path, "TIFF", "its first directory is that of another program")}};
+        return damaged_file(path, "TIFF", "its first directory is that of another program");
     }
     FileFacts facts;
     facts.pixel_type = PixelType::float32;
@@ -172,7 +171,7 @@ Outcome<FileFacts> inspect_tif(const fs::path& path) {
     const std::uint32_t length = little(*entries, 6 + 12 * 6, 4);
     const auto text = file_part(*file.value, value(6), length);
     if (!text || text->empty() || text->back() != '\0') {
-        return {{}, {damaged_file(path, "TIFF", "it ends within its description")}};
+        return damaged_file(path, "TIFF", "it ends within its description");
     }
     facts.metadata = text->substr(0, text->size() - 1);
     return {std::move(facts), {}};
@@ -191,7 +190,7 @@ Outcome<bool> read_tif_file(const fs::path& path, const FileShape& shape, int,
     if (file.value->size() != texels_end + tail.size() ||
         file_part(*file.value, 0, tif_head_size) != tif_head(pages) ||
         file_part(*file.value, texels_end, tail.size()) != tail) {
-        return {{}, {other_size(path)}};
+        return other_size(path);
     }
     return read_texels(
         *file.value,

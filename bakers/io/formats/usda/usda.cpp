@@ -108,8 +108,7 @@ config::Outcome<bool> write_usda_file(const FileContent& content,
                                       const std::filesystem::path& path) {
     FileOutput output(path);
     output.write(usd_scene(content.baked));
-    if (!output.finish()) return {{}, {output.diagnostic()}};
-    return {true, {}};
+    return output.finished(true);
 }
 
 }  // namespace

@@ -65,9 +65,8 @@ Outcome<T> read_with_module(const fs::path& path, Read&& read) {
     if (!opened.value) return {{}, std::move(opened.diagnostics)};
     const LoadedCodec<VdbCodec>& loaded = vdb_codec();
     if (loaded.codec != nullptr) return read(*loaded.codec);
-    return {{},
-            {file_error("E0300", path.string(),
-                        fmt::format("cannot read `{}`: {}", path.string(), loaded.reason))}};
+    return file_error("E0300", path.string(),
+                      fmt::format("cannot read `{}`: {}", path.string(), loaded.reason));
 }
 
 std::optional<Diagnostic> vdb_obstacle(const fs::path& path) {
@@ -103,16 +102,16 @@ std::vector<std::string> vdb_grid_names(const Baked& volume) {
 Outcome<bool> write_vdb(const Baked& volume, int level, const Attributes& attributes, int threads,
                         Progress* progress, const fs::path& path, std::size_t most_kept_bytes) {
     if (const auto reason = contradiction(volume, level)) {
-        return {{}, {file_error("E0500", path.string(), *reason)}};
+        return file_error("E0500", path.string(), *reason);
     }
     const LoadedCodec<VdbCodec>& loaded = vdb_codec();
-    if (loaded.codec == nullptr) return {{}, {cannot_write_vdb(path, loaded.reason)}};
+    if (loaded.codec == nullptr) return cannot_write_vdb(path, loaded.reason);
     try {
         VdbWriter writer(volume, volume.levels[static_cast<std::size_t>(level)], *loaded.codec,
                          most_kept_bytes, progress, path);
         return writer.write(attributes, threads);
     } catch (const std::exception& error) {
-        return {{}, {cannot_write_vdb(path, error.what())}};
+        return cannot_write_vdb(path, error.what());
     }
 }
 

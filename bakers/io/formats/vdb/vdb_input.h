@@ -121,9 +121,8 @@ config::Outcome<T> reported(const std::filesystem::path& path, Function&& functi
     } catch (const std::exception& error) {
         reason = error.what();
     }
-    return {{},
-            {file_error("E0304", path.string(),
-                        fmt::format("cannot read `{}` as a VDB file: {}", path.string(), reason))}};
+    return file_error("E0304", path.string(),
+                      fmt::format("cannot read `{}` as a VDB file: {}", path.string(), reason));
 }
 
 }  // namespace skybake::vdb

@@ -10,10 +10,27 @@
 #include "bakers/field/baked.h"
 #include "bakers/field/take_boxes.h"
 #include "bakers/io/formats/vdb/vdb_file.h"
-#include "bakers/math/memory.h"
 
 namespace skybake {
 namespace {
+
+// The size of a strip, which is the unit of parallel work. Its rows are as long as a node, because
+// some noises are cheap along x. A node has several strips, because small volumes have only one
+// node.
+constexpr std::array<int, 3> strip_edges = {vdb_node_edge, 32, vdb_node_edge};
+
+// Returns the strips of a volume in the order of its tree, node after node.
+std::vector<VoxelBox> vdb_strips(const std::array<int, 3>& size) {
+    std::vector<VoxelBox> strips;
+    for (const VoxelBox& upper : cells_in_tree_order({{}, size}, vdb_upper_node_edge)) {
+        for (const VoxelBox& node : cells_in_tree_order(upper, vdb_node_edge)) {
+            for (const VoxelBox& strip : cells_in_tree_order(node, strip_edges)) {
+                strips.push_back(strip);
+            }
+        }
+    }
+    return strips;
+}
 
 // Arranges 32 digits in the groups of a UUID.
 std::string uuid_of(const std::string& hash) {
@@ -83,9 +100,8 @@ Outcome<bool> VdbWriter::write(const Attributes& attributes, int threads) {
     }
     if (going_well()) write_parts(threads);
     const bool complete = going_well();
-    if (error_) return {{}, {*error_}};
-    if (!file_.finish()) return {{}, {file_.diagnostic()}};
-    return {complete, {}};
+    if (error_) return *error_;
+    return file_.finished(complete);
 }
 
 void VdbWriter::report(double fraction) {

@@ -19,14 +19,22 @@
 #include "bakers/field/level.h"
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/formats/vdb/vdb_codec.h"
-#include "bakers/io/formats/vdb/vdb_strips.h"
 #include "bakers/io/formats/vdb/vdb_tree.h"
 #include "bakers/math/bake_options.h"
+#include "bakers/math/memory.h"
 #include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
 
 struct Baked;
+
+// The memory for a strip, and its results: a strip is a part of a volume, and any thread may make one.
+struct VdbStripSlot {
+    AlignedFloats values;
+    VdbLeaves leaves;  // leaves with active voxels
+    VdbStrip encoded;
+    std::optional<config::Diagnostic> error;
+};
 
 // Returns E0301 with the reason.
 config::Diagnostic cannot_write_vdb(const std::filesystem::path& path, const std::string& reason);

@@ -67,8 +67,7 @@ Outcome<bool> write_vol_file(const FileContent& content, const fs::path& path) {
             output.write(floats);
             return output.error() == 0;
         });
-    if (!output.finish()) return {{}, {output.diagnostic()}};
-    return {complete, {}};
+    return output.finished(complete);
 }
 
 config::Diagnostic damaged_vol_file(const fs::path& path, const std::string& reason) {
@@ -80,17 +79,17 @@ config::Diagnostic damaged_vol_file(const fs::path& path, const std::string& rea
 Outcome<VolHeader> read_vol_header(FileInput& file, const fs::path& path) {
     VolHeader header;
     const auto done = file.read(0, reinterpret_cast<char*>(&header), sizeof header);
-    if (!done) return {{}, {file.diagnostic()}};
-    if (*done < sizeof header) return {{}, {damaged_vol_file(path, "it ends within its head")}};
+    if (!done) return file.diagnostic();
+    if (*done < sizeof header) return damaged_vol_file(path, "it ends within its head");
     if (header.magic != VolHeader{}.magic || header.version != VolHeader{}.version) {
-        return {{}, {damaged_vol_file(path, "it does not begin with `VOL` and version 3")}};
+        return damaged_vol_file(path, "it does not begin with `VOL` and version 3");
     }
     if (header.encoding != VolHeader{}.encoding) {
-        return {{}, {damaged_vol_file(path, fmt::format("its encoding is {}", header.encoding))}};
+        return damaged_vol_file(path, fmt::format("its encoding is {}", header.encoding));
     }
     for (std::size_t a = 0; a < 3; ++a) {
         if (std::isfinite(header.first[a]) && header.last[a] > header.first[a]) continue;
-        return {{}, {damaged_vol_file(path, "its bounds are empty")}};
+        return damaged_vol_file(path, "its bounds are empty");
     }
     return {header, {}};
 }
@@ -116,7 +115,7 @@ Outcome<bool> read_vol_file(const fs::path& path, const FileShape& shape, int,
                                     config::PixelType::float32};
     if (header.value->size != wanted.size || header.value->channels != wanted.channels ||
         file.value->size() != sizeof(VolHeader) + range.bytes()) {
-        return {{}, {other_size(path)}};
+        return other_size(path);
     }
     return read_texels(*file.value, range, visit);
 }
