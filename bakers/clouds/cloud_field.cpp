@@ -275,11 +275,8 @@ CloudField::CloudField(CloudPlan plan) : plan_(std::move(plan)) {
 void CloudField::fill(const VoxelBox& box, const std::vector<float*>& channels) const {
     if (!plan_.flow) return BoxFiller(plan_, columns_, box, channels).fill();
     std::vector<float*> wanted = channels;
-    AlignedFloats density;
-    if (wanted.front() == nullptr) {
-        density.resize(static_cast<std::size_t>(box.count()));
-        wanted.front() = density.data();
-    }
+    AlignedFloats density(static_cast<std::size_t>(box.count()));
+    if (wanted.front() == nullptr) wanted.front() = density.data();
     BoxFiller(plan_, columns_, box, wanted).fill();
     for (std::size_t c = 1; c < wanted.size(); ++c) {
         for (std::int64_t i = 0; wanted[c] != nullptr && i < box.count(); ++i) {

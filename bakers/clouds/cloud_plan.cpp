@@ -98,9 +98,8 @@ void fill_fallen(const CloudPlan& plan, const noise::NoiseField& noise, const Vo
                                  {columns.size, rows.size, 1}};
             std::vector<float*> targets(channels.size(), nullptr);
             for (std::size_t c = 0; c < channels.size(); ++c) {
-                if (channels[c] == nullptr) continue;
                 values[c].resize(static_cast<std::size_t>(heads.count()));
-                targets[c] = values[c].data();
+                if (channels[c] != nullptr) targets[c] = values[c].data();
             }
             noise.fill(heads, targets);
             for (std::size_t c = 0; c < channels.size(); ++c) {

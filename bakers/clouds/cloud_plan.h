@@ -5,9 +5,8 @@
 // At a voxel, n is the base noise or, in a cloud of a volume, the volume's density, for which P is 1; d the detail noise clamped to [0, 1], and h the height in [0,
 // 1]:
 //
-//   With streaks n and d are those of the voxel (x + fall(h), y) of the topmost slice, where the fall is
-//   streaks (1 - h)^2 in whole voxels: the way of what falls evenly through wind that grows with height
-//   (Marshall 1953).
+//   With streaks n and d are those of the topmost slice at (x + fall(h), y), the fall being streaks (1 - h)^2
+//   in whole voxels: the way of what falls evenly through wind that grows with height (Marshall 1953).
 //
 //   b = n max(0, P(h) + T) + (c - 1)       profile, Gaussian towers, coverage; Olajos 2016
 //                                          where c = 1
@@ -21,9 +20,8 @@
 //                                          threshold_at = "bake"; without full_at v in place of the
 //                                          minimum; threshold_at = "runtime": v itself
 //
-// Velocities are those of flow_field.h where the density is not 0, and 0 elsewhere.
-//
-// The density is 0 where b <= t (b <= 0 for threshold_at = "runtime"): erosion only removes.
+// The density is 0 where b <= t (b <= 0 for threshold_at = "runtime"): erosion only removes. Velocities are
+// those of flow_field.h where it is not 0, and 0 elsewhere.
 //
 // b is remap(x, 1 - c, 1, 0, 1) c with x = n (P + T) (Schneider 2017, Nubis), multiplied out: it
 // has no pole at c = 0, and leaves nothing there where x <= 1. s goes linearly from erosion[0] at

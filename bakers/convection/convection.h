@@ -25,8 +25,7 @@ struct GrownCloud {
     // lacks to be saturated, so that edges lie where it passes 0. The lowest cells lie on the base. One moment
     // follows the other.
     std::vector<float> water;
-    // The velocity there in m/s, less the wind at the middle of the cloudy levels: of each moment that along x,
-    // then y, then z; or none.
+    // The velocity there in m/s, less that of the tile: of each moment along x, then y, then z; or none.
     std::vector<float> velocity;
     float full_water = 0;  // Sounding::adiabatic_water
 };

@@ -56,8 +56,7 @@ void each_voxel(const std::array<int, 3>& size, const Visit& visit) {
     }
 }
 
-// A cell that alone moves is seen in the channel of its axis, most of all at its own centre, up to the next cells'
-// centres, across the tile's edge.
+// A cell that alone moves is seen in its axis' channel, up to the next cells' centres and across the tile's edge.
 TEST(FlowField, HasEachVelocityInItsPlace) {
     const std::array size = {30, 20, 25};
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -100,8 +99,7 @@ TEST(FlowField, IsNearItsReference) {
     });
 }
 
-// A cloud with its flow in two or more channels: the kernel is its specification and near its reference, in any
-// box and without the channels that are left out, and still where there is no cloud.
+// Kernel, specification and reference agree, in any box and channel by channel, and no velocity is without cloud.
 TEST(FlowField, OfACloudIsWhereTheCloudIs) {
     const std::array size = {13, 9, 17};
     config::Cloud cloud;

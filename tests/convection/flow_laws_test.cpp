@@ -169,8 +169,7 @@ std::vector<float> rows_of(const Specification& wanted, const Row& row) {
     return all;
 }
 
-// Velocities that are kept change nothing else and are those of the flow. No level gains air, and within some
-// seconds water changes as they move it, which no other sign or axis gives.
+// Kept velocities change nothing else and are the flow's. No level gains air, and water changes as they move it.
 TEST(Flow, KeptVelocityMovesTheCloud) {
     Specification wanted = small();
     wanted.patches = 2;

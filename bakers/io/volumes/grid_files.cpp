@@ -8,8 +8,8 @@
 
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/files/to_string.h"
-#include "bakers/io/formats/nvdb/nvdb_layout.h"
 #include "bakers/io/formats/nvdb/nvdb_file.h"
+#include "bakers/io/formats/nvdb/nvdb_layout.h"
 #include "bakers/io/formats/nvdb/nvdb_source.h"
 #include "bakers/io/formats/vdb/vdb_source.h"
 
