@@ -218,7 +218,7 @@ TexelFit::Texels TexelFit::step(const Misses& misses, const Watch& goes_on) cons
     for (int turn = 0; turn < kMostTurns && squares > enough; ++turn) {
         // Squares fall by about the same factor with each turn.
         const double by_turns = double{1} * turn / kMostTurns;
-        if (!goes_on(std::max(by_turns, std::log(squares / first) / std::log(kRest)))) break;
+        if (!goes_on(std::max(by_turns, logarithm(squares / first) / logarithm(kRest)))) break;
         const Texels along = pressed(direction);
         const double length = squares / dot(direction, along);
         for (std::size_t i = 0; i < rest.size(); ++i) {
