@@ -39,7 +39,8 @@ void bake_texels(const CloudLayer& layer, const config::CloudLightBake& bake) {
     Facts details;
     const SpacedValues values =
         cloud_light_values(layer, bake, cloud_light_spacing(bake), options, details);
-    benchmark::DoNotOptimize(fitted_texels(values, cloud_light_size(layer.size, bake), bake, 1));
+    benchmark::DoNotOptimize(
+        fitted_texels(values, cloud_light_size(layer.size, bake), bake, options));
 }
 
 // Suns from 10 to 85 degrees, all around, 16 of them as four assets hold them.
