@@ -2,19 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
+#include "bakers/field/interpolation.h"
 #include "bakers/math/wrapped.h"
 
 namespace skybake::cloud {
 namespace {
 
-constexpr std::size_t kUp = 2;
-
 // Returns a cell of an axis, which repeats but along z.
 std::size_t cell_within(std::size_t axis, int cell, int cells) {
-    return static_cast<std::size_t>(axis == kUp ? std::clamp(cell, 0, cells - 1)
-                                                : skybake::wrapped(cell, cells));
+    return static_cast<std::size_t>(axis == 2 ? std::clamp(cell, 0, cells - 1)
+                                              : skybake::wrapped(cell, cells));
 }
 
 }  // namespace
@@ -73,22 +73,11 @@ void FlowField::fill(const VoxelBox& box, const std::vector<float*>& channels) c
 std::array<double, 3> flow_reference(const convection::GrownCloud& cloud,
                                      const std::array<double, 3>& place) {
     std::array<double, 3> velocity{};
-    for (int corner = 0; corner < 8; ++corner) {
-        double weight = 1;
-        std::array<std::size_t, 3> cell{};
+    for (const auto& [voxel, weight] : trilinear_taps(cloud.cells, place, {true, true, false})) {
+        const std::int64_t row = std::int64_t{voxel[2]} * cloud.cells[1] + voxel[1];
+        const auto cell = static_cast<std::size_t>(row * cloud.cells[0] + voxel[0]);
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            const double at = place[axis] * cloud.cells[axis] - 0.5;
-            const int side = corner >> axis & 1;
-            const double fraction = at - std::floor(at);
-            weight *= side == 1 ? fraction : 1 - fraction;
-            cell[axis] =
-                cell_within(axis, static_cast<int>(std::floor(at)) + side, cloud.cells[axis]);
-        }
-        const std::size_t index = (cell[2] * static_cast<std::size_t>(cloud.cells[1]) + cell[1]) *
-                                      static_cast<std::size_t>(cloud.cells[0]) +
-                                  cell[0];
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            velocity[axis] += weight * double{cloud.velocity[axis * cloud.water.size() + index]};
+            velocity[axis] += weight * double{cloud.velocity[axis * cloud.water.size() + cell]};
         }
     }
     return velocity;

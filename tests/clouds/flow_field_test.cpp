@@ -11,12 +11,16 @@
 #include "bakers/clouds/cloud_reference.h"
 #include "bakers/clouds/cloud_specification.h"
 #include "bakers/clouds/grown_volume.h"
+#include "tests/noise/noises.h"
+#include "tests/support/volumes.h"
 
 namespace skybake::cloud {
 namespace {
 
 using convection::GrownCloud;
-using Channels = std::vector<std::vector<float>>;
+using test::filled;
+using test::Planes;
+using testing::for_each_voxel;
 
 constexpr std::array cells = {6, 4, 5};
 constexpr std::size_t cell_count = 6 * 4 * 5;
@@ -39,35 +43,20 @@ std::shared_ptr<GrownCloud> random_cloud() {
     return cloud;
 }
 
-Channels filled(const VoxelSource& source, const VoxelBox& box, std::size_t channels) {
-    Channels values(channels, std::vector<float>(static_cast<std::size_t>(box.count()), -99));
-    std::vector<float*> targets;
-    for (std::vector<float>& channel : values) targets.push_back(channel.data());
-    source.fill(box, targets);
-    return values;
-}
-
-// Calls visit(index, {x, y, z}) for the voxels of a size.
-template <class Visit>
-void each_voxel(const std::array<int, 3>& size, const Visit& visit) {
-    for (std::size_t i = 0; i < static_cast<std::size_t>(size[0] * size[1] * size[2]); ++i) {
-        const int at = static_cast<int>(i);
-        visit(i, std::array{at % size[0], at / size[0] % size[1], at / size[0] / size[1]});
-    }
-}
-
 // A cell that alone moves is seen in its axis' channel, up to the next cells' centres and across the tile's edge.
 TEST(FlowField, HasEachVelocityInItsPlace) {
     const std::array size = {30, 20, 25};
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const auto cloud = still_cloud();
         cloud->velocity[axis * cell_count + (2 * 4 + 1) * 6 + 0] = 7;  // cell (0, 1, 2)
-        const Channels found = filled(FlowField(cloud, size), {{}, size}, 3);
-        each_voxel(size, [&](std::size_t i, const std::array<int, 3>& at) {
-            const double x = at[0] < 15 ? at[0] : at[0] - 30;
-            const double share = std::max(0.0, 1 - std::abs(x - 2) / 5) *
-                                 std::max(0.0, 1 - std::abs(at[1] - 7.0) / 5) *
-                                 std::max(0.0, 1 - std::abs(at[2] - 12.0) / 5);
+        const Planes found = filled(FlowField(cloud, size), {{}, size}, 3);
+        std::size_t next = 0;
+        for_each_voxel(size, [&](int x, int y, int z) {
+            const std::size_t i = next++;
+            const double from = x < 15 ? x - 2 : x - 32;
+            const double share = std::max(0.0, 1 - std::abs(from) / 5) *
+                                 std::max(0.0, 1 - std::abs(y - 7.0) / 5) *
+                                 std::max(0.0, 1 - std::abs(z - 12.0) / 5);
             for (std::size_t c = 0; c < 3; ++c) {
                 ASSERT_NEAR(double{found[c][i]}, c == axis ? 7 * share : 0, 1e-5) << i;
             }
@@ -81,7 +70,7 @@ TEST(FlowField, GoesOnBeyondTheOutermostCells) {
     for (std::size_t i = 0; i < cell_count; ++i) {
         cloud->velocity[2 * cell_count + i] = static_cast<float>(i / 24);  // the level
     }
-    const Channels found = filled(FlowField(cloud, {1, 1, 50}), {{}, {1, 1, 50}}, 3);
+    const Planes found = filled(FlowField(cloud, {1, 1, 50}), {{}, {1, 1, 50}}, 3);
     for (int z = 0; z < 50; ++z) {
         EXPECT_NEAR(double{found[2][static_cast<std::size_t>(z)]},
                     std::clamp((z + 0.5) / 10 - 0.5, 0.0, 4.0), 1e-6);
@@ -91,10 +80,12 @@ TEST(FlowField, GoesOnBeyondTheOutermostCells) {
 TEST(FlowField, IsNearItsReference) {
     const std::array size = {13, 4, 17};
     const auto cloud = random_cloud();
-    const Channels found = filled(FlowField(cloud, size), {{}, size}, 3);
-    each_voxel(size, [&](std::size_t i, const std::array<int, 3>& at) {
+    const Planes found = filled(FlowField(cloud, size), {{}, size}, 3);
+    std::size_t next = 0;
+    for_each_voxel(size, [&](int x, int y, int z) {
+        const std::size_t i = next++;
         const auto wanted = flow_reference(
-            *cloud, {(at[0] + 0.5) / size[0], (at[1] + 0.5) / size[1], (at[2] + 0.5) / size[2]});
+            *cloud, {(x + 0.5) / size[0], (y + 0.5) / size[1], (z + 0.5) / size[2]});
         for (std::size_t c = 0; c < 3; ++c) ASSERT_NEAR(double{found[c][i]}, wanted[c], 1e-5);
     });
 }
@@ -109,12 +100,14 @@ TEST(FlowField, OfACloudIsWhereTheCloudIs) {
     const CloudVolume volume = volume_of_grown(random_cloud(), cloud, nullptr, size);
     const CloudField field(make_cloud_plan(cloud, volume, nullptr, size, {}));
     const CloudReference reference(cloud, volume, nullptr, size, {});
-    const Channels whole = filled(field, {{}, size}, 4);
+    const Planes whole = filled(field, {{}, size}, 4);
     int moving = 0;
-    each_voxel(size, [&](std::size_t i, const std::array<int, 3>& at) {
-        const std::vector<float> specified = cloud_at(field.plan(), {at[0], at[1], at[2]});
+    std::size_t next = 0;
+    for_each_voxel(size, [&](int x, int y, int z) {
+        const std::size_t i = next++;
+        const std::vector<float> specified = cloud_at(field.plan(), {x, y, z});
         const std::vector<double> wanted =
-            reference({(at[0] + 0.5) / size[0], (at[1] + 0.5) / size[1], (at[2] + 0.5) / size[2]});
+            reference({(x + 0.5) / size[0], (y + 0.5) / size[1], (z + 0.5) / size[2]});
         ASSERT_EQ(wanted.size(), 4u);
         moving += whole[1][i] != 0 ? 1 : 0;
         for (std::size_t c = 0; c < 4; ++c) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <random>
+#include <vector>
 
 #include "bakers/convection/grid.h"
 #include "bakers/convection/sounding.h"
@@ -61,6 +62,20 @@ inline std::array<Field, 3> random_wind(const Grid& grid, unsigned seed) {
 }
 
 // A small tile in which clouds grow within minutes.
+// The cloudy levels of a flow: all rows of what `row` writes.
+template <class Row>
+std::vector<float> rows_of(const Specification& wanted, const Row& row) {
+    const auto [nx, ny, nz] = wanted.grid.cells;
+    std::vector<float> all;
+    for (int z = wanted.mixed_levels; z < nz - wanted.sponge_levels; ++z) {
+        for (int y = 0; y < ny; ++y) {
+            all.resize(all.size() + static_cast<std::size_t>(nx));
+            row(y, z, all.data() + all.size() - nx);
+        }
+    }
+    return all;
+}
+
 inline Specification small() {
     Specification wanted;
     wanted.grid = {{24, 20, 30}, {60, 60, 60}};

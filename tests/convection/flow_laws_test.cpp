@@ -14,6 +14,7 @@ namespace {
 
 using test::each_cell;
 using test::largest_divergence;
+using test::rows_of;
 using test::small;
 
 double total(const Grid& grid, Field& field) {
@@ -153,20 +154,6 @@ TEST(Flow, MovesWithWhatIsMoved) {
     });
     EXPECT_GT(greatest, 1);
     EXPECT_LE(largest, 1e-4 * greatest);
-}
-
-// The cloudy levels of a flow: all rows of what `row` writes.
-template <class Row>
-std::vector<float> rows_of(const Specification& wanted, const Row& row) {
-    const auto [nx, ny, nz] = wanted.grid.cells;
-    std::vector<float> all;
-    for (int z = wanted.mixed_levels; z < nz - wanted.sponge_levels; ++z) {
-        for (int y = 0; y < ny; ++y) {
-            all.resize(all.size() + static_cast<std::size_t>(nx));
-            row(y, z, all.data() + all.size() - nx);
-        }
-    }
-    return all;
 }
 
 // Kept velocities change nothing else and are the flow's. No level gains air, and water changes as they move it.

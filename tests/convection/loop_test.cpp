@@ -26,19 +26,12 @@ struct States {
 
     explicit States(const Specification& wanted) {
         Flow flow(wanted, 1);
-        const auto& [nx, ny, nz] = wanted.grid.cells;
         for (const double end_s : {wanted.growth_s, wanted.growth_s + wanted.loop_s}) {
             while (flow.time_s() < end_s) {
                 flow.step(end_s);
                 times_s.push_back(flow.time_s());
-                std::vector<float>& all = water.emplace_back();
-                for (int z = wanted.mixed_levels; z < nz - wanted.sponge_levels; ++z) {
-                    for (int y = 0; y < ny; ++y) {
-                        std::vector<float> row(static_cast<std::size_t>(nx));
-                        flow.condensed_row(y, z, row.data());
-                        all.insert(all.end(), row.begin(), row.end());
-                    }
-                }
+                water.push_back(test::rows_of(
+                    wanted, [&](int y, int z, float* out) { flow.condensed_row(y, z, out); }));
             }
         }
     }

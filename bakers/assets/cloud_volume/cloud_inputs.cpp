@@ -96,19 +96,17 @@ std::optional<Diagnostic> missed_cover(const CloudVolumeBake& bake,
     const double columns = double{1} * bake.size[0] * bake.size[1];
     const double most = std::max(1 / columns, 1.0 / cloud::kMostTiedColumns);
     if (std::fabs(found.share - *bake.cover) <= most) return std::nullopt;
-    Diagnostic problem;
-    problem.code = "E0412";
-    problem.message = fmt::format(
+    std::string message = fmt::format(
         "cloud `{}` cannot cover {:.4g} %: at coverage {:.6g} it covers {:.4g} %, and more at once",
         bake.cloud, 100 * *bake.cover, found.coverage, 100 * found.share);
     if (found.share == found.reach[0] || found.share == found.reach[1]) {
-        problem.message = fmt::format(
+        message = fmt::format(
             "cloud `{}` cannot cover {:.4g} %: it covers {:.4g} % at coverage 0, and {:.4g} % at "
             "coverage 1",
             bake.cloud, 100 * *bake.cover, 100 * found.reach[0], 100 * found.reach[1]);
     }
-    problem.label = "`cover` cannot be reached; change it, the height profile or the towers";
-    return problem;
+    return diagnosis("E0412", std::move(message),
+                     "`cover` cannot be reached; change it, the height profile or the towers");
 }
 
 }  // namespace

@@ -159,12 +159,8 @@ Baked describe(const Cloud& recipe_cloud, const CloudVolumeBake& bake, const Clo
 // Warns (W0215) of a volume in which no column holds cloud.
 std::optional<Diagnostic> empty_volume(const Baked& volume) {
     if (number_named(volume.details, covered_columns).value_or(1) > 0) return std::nullopt;
-    Diagnostic warning;
-    warning.severity = Severity::warning;
-    warning.code = "W0215";
-    warning.message = fmt::format("`{}` is empty: no voxel holds cloud", volume.name);
-    warning.label = "raise the coverage, or ask for a share of the sky: cover = \"40 %\"";
-    return warning;
+    return diagnosis("W0215", fmt::format("`{}` is empty: no voxel holds cloud", volume.name),
+                     "raise the coverage, or ask for a share of the sky: cover = \"40 %\"");
 }
 
 // Replaces the voxels on demand of a volume by voxels in memory, if there is room for them.

@@ -22,14 +22,12 @@ void add_change(const CloudVolumeBake& asset, const FrameChange& change, Facts& 
     details.emplace_back("flips_per_frame", change.flips);
     details.emplace_back("rms_change_per_frame", change.rms);
     if (asset.frame != 1 || change.flips <= kMostFlips) return;
-    Diagnostic warning;
-    warning.severity = Severity::warning;
-    warning.code = "W0229";
-    warning.message = fmt::format(
-        "`{}` flickers: {:.0f} % of its voxels become cloud or cease to be until the next frame",
-        asset.cloud, 100 * change.flips);
-    warning.label = "give the loop more frames (`period` of the cloud and of its noises)";
-    diagnostics.push_back(std::move(warning));
+    diagnostics.push_back(diagnosis(
+        "W0229",
+        fmt::format(
+            "`{}` flickers: {:.0f} % of its voxels become cloud or cease to be until the next frame",
+            asset.cloud, 100 * change.flips),
+        "give the loop more frames (`period` of the cloud and of its noises)"));
 }
 
 Outcome<Baked> bake(const Parameters& parameters, const CloudVolumeBake& asset,
