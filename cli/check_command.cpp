@@ -16,7 +16,6 @@
 #include "config/recipe/recipe.h"
 #include "config/sections/cloud.h"
 #include "config/sections/layer.h"
-#include "config/sections/noise.h"
 #include "config/sections/particles.h"
 #include "config/sections/volume.h"
 

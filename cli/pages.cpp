@@ -5,23 +5,12 @@
 
 #include "bakers/io/manifest/release.h"
 #include "cli/command.h"
+#include "config/text/text.h"
 
 namespace skybake::cli {
 namespace {
 
-// Returns a text in which each of the given characters is replaced.
-std::string replaced(std::string_view text,
-                     std::initializer_list<std::pair<char, std::string_view>> signs) {
-    std::string result;
-    for (const char sign : text) {
-        std::string_view written(&sign, 1);
-        for (const auto& [from, to] : signs) {
-            if (from == sign) written = to;
-        }
-        result += written;
-    }
-    return result;
-}
+using config::replaced;
 
 // --- Man pages ----------------------------------------------------------------------------------
 

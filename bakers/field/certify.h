@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bakers/field/conventions.h"
+#include "bakers/field/error_search.h"
 #include "bakers/field/level.h"
 #include "bakers/field/table_model.h"
 #include "bakers/math/bake_options.h"
@@ -102,6 +103,20 @@ std::vector<double> shares_of_range(const Level& level, const std::vector<double
 
 // Returns the result of a lookup of the stored voxels, one value per channel.
 std::vector<double> look_up(const Level& level, PixelType type, const std::array<double, 3>& uvw);
+
+// Searches the errors of a table's lookups (error_search.h): measures bilinear lookups of the stored
+// image against model.reference. If counts.exact is not 0, the kernel at the quadrature level is the
+// estimate that is searched. `threads` may be any number.
+FoundErrors search_table(const TableModel& model, int level, const Image2<float>& image,
+                         const SearchCounts& counts, const BakeOptions& options);
+
+// Searches the errors of trilinear lookups of the stored voxels. Axes are clamped or repeated as
+// level.repeats says. `counts.per_row` is not used: each row has one point. If `estimate` is not
+// empty and counts.exact is not 0, it is searched in place of the reference. Where the voxels let
+// large errors expect is only looked at if there are at most 2^18 of them.
+VolumeErrors search_volume(const Level& level, PixelType type, const VolumeReference& reference,
+                           const VolumeReference& estimate, const SearchCounts& counts,
+                           const BakeOptions& options, const VolumeComparison& comparison);
 
 // The maximum and the root mean square of a series of errors, summed in the order given.
 class ErrorStatistics {

@@ -11,7 +11,6 @@
 #include "bakers/field/smallest_table.h"
 #include "bakers/field/stored_voxels.h"
 #include "bakers/field/survey_volume.h"
-#include "bakers/field/table_search.h"
 #include "bakers/math/bake_clock.h"
 #include "bakers/math/quadrature.h"
 

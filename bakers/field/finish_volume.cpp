@@ -14,7 +14,6 @@
 #include "bakers/field/held_voxels.h"
 #include "bakers/field/stored_voxels.h"
 #include "bakers/field/survey_volume.h"
-#include "bakers/field/volume_search.h"
 #include "bakers/field/voxel_array.h"
 #include "bakers/math/bake_clock.h"
 #include "bakers/math/quadrature.h"

@@ -60,26 +60,6 @@ constexpr TypeFacts kTypes[] = {
 
 const TypeFacts& facts_of(PixelType type) { return kTypes[static_cast<std::size_t>(type)]; }
 
-}  // namespace
-
-int bytes_per_value(PixelType type) { return facts_of(type).bytes; }
-double bits_per_value(PixelType type) { return facts_of(type).bits; }
-double rounding_error(PixelType type) { return facts_of(type).rounding_error; }
-
-double smallest_normal(PixelType type) {
-    if (type == PixelType::float32) return double{std::numeric_limits<float>::min()};
-    return type == PixelType::half ? 0x1p-14 : 0;
-}
-
-float store(double value, PixelType type, RangeCounts& counts) {
-    const float stored = round_to_pixel_type(value, type);
-    if (!std::isfinite(stored)) ++counts.above_range;
-    if (value != 0 && std::fabs(value) < smallest_normal(type)) ++counts.below_normal;
-    return stored;
-}
-
-namespace {
-
 static_assert(std::endian::native == std::endian::little,
               "values are stored as they lie in memory");
 
@@ -145,6 +125,22 @@ void interleave(const std::vector<const float*>& channels, std::size_t count,
 }
 
 }  // namespace
+
+int bytes_per_value(PixelType type) { return facts_of(type).bytes; }
+double bits_per_value(PixelType type) { return facts_of(type).bits; }
+double rounding_error(PixelType type) { return facts_of(type).rounding_error; }
+
+double smallest_normal(PixelType type) {
+    if (type == PixelType::float32) return double{std::numeric_limits<float>::min()};
+    return type == PixelType::half ? 0x1p-14 : 0;
+}
+
+float store(double value, PixelType type, RangeCounts& counts) {
+    const float stored = round_to_pixel_type(value, type);
+    if (!std::isfinite(stored)) ++counts.above_range;
+    if (value != 0 && std::fabs(value) < smallest_normal(type)) ++counts.below_normal;
+    return stored;
+}
 
 void store_voxels(const std::vector<const float*>& channels, std::size_t count, PixelType type,
                   char* out) {

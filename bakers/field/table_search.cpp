@@ -1,9 +1,8 @@
-#include "bakers/field/table_search.h"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "bakers/field/certify.h"
 #include "bakers/field/interpolation.h"
 
 namespace skybake {

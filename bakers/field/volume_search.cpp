@@ -1,11 +1,10 @@
-#include "bakers/field/volume_search.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <optional>
 #include <utility>
 
+#include "bakers/field/certify.h"
 #include "bakers/field/pixel_type.h"
 #include "bakers/field/stored_voxels.h"
 #include "bakers/field/voxel_array.h"

@@ -8,7 +8,7 @@
 #include <array>
 #include <cstdint>
 
-#include "bakers/noise/bump_kernel.h"
+#include "bakers/noise/cell_kernel.h"
 #include "bakers/noise/cell_tile-inl.h"
 #include "bakers/noise/lattice_planes-inl.h"
 

@@ -1,5 +1,4 @@
-// Fills boxes of voxels with cellular noise, exactly. narrow_cell_kernel.h does the same where cells
-// are a few voxels wide.
+// Fills boxes of voxels with cellular noise and alligator noise, exactly.
 //
 // A block of voxels smaller than a cell is near only a few of the points around it. Its candidates
 // are the points of the cells around the block. The greatest distance from the block to its nearest
@@ -65,5 +64,51 @@ bool has_wide_cells(const CellField& field);
 // Writes the field, which has wide cells, over the chunk's voxels.
 void fill_wide_cells(const CellField& field, const VoxelBox& chunk, LatticePlanes& planes,
                      CellCandidates& candidates, const CellTarget& target);
+
+// --- Narrow cells --------------------------------------------------------------------------------
+
+// Fills boxes of voxels with cellular noise whose cells are so narrow that dropping points costs
+// more than looking at them, exactly.
+//
+// A tile is a vector of voxels along x, in any cells, times some rows and slices that lie in one
+// cell along y and z. All its voxels look at the points of the same nine rows of cells, three
+// points of each. What a point adds to squared distances along y and z is made once per point and
+// row or slice of voxels and looked up by lanes; what it adds along x is shared by the tile. Where
+// a voxel's nearest points are farther away than the cells that were not looked at, its vector is
+// made again with another ring of cells.
+
+// Squared distances of a tile's rows and slices from points, reused from call to call.
+struct NarrowCellScratch {
+    AlignedFloats squares;
+};
+
+// Writes the field over the chunk's voxels, with planes that make_cell_planes made. The field has at
+// most one cell per voxel.
+void fill_narrow_cells(const CellField& field, const VoxelBox& chunk, LatticePlanes& planes,
+                       NarrowCellScratch& scratch, const CellTarget& target);
+
+// --- Bumps ----------------------------------------------------------------------------------------
+
+// Fills boxes of voxels with alligator noise that is not displaced, exactly, where cells are wide.
+//
+// A bump ends one cell from its point. So of the points about a block of voxels only those matter
+// that are less than a cell away from it, a handful where the block is smaller than a cell, and all
+// voxels of the block share them. The result equals noise_specification.h bit for bit: the two
+// greatest bumps do not depend on the order of the points, nor on bumps that have ended.
+
+// The points of a block and their squared distances, reused from call to call.
+struct BumpScratch {
+    AlignedFloats squared_x;  // [point][lane]
+};
+
+// Makes the lattice for chunks within `box` of at most `chunk_depth` slices.
+LatticePlanes make_bump_planes(const CellField& field, const VoxelBox& box, int chunk_depth);
+
+// Returns whether cells are so wide that sharing points pays: four voxels or more along each axis.
+bool has_wide_bumps(const CellField& field);
+
+// Writes the field, which has wide bumps, over the chunk's voxels.
+void fill_bumps(const CellField& field, const VoxelBox& chunk, LatticePlanes& planes,
+                BumpScratch& scratch, const CellTarget& target);
 
 }  // namespace skybake::noise

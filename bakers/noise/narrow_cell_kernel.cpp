@@ -9,9 +9,9 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "bakers/noise/cell_kernel.h"
 #include "bakers/noise/cell_tile-inl.h"
 #include "bakers/noise/lattice_planes-inl.h"
-#include "bakers/noise/narrow_cell_kernel.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace skybake::noise::HWY_NAMESPACE {

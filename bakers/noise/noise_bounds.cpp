@@ -5,11 +5,12 @@
 #include <limits>
 #include <numbers>
 
+#include "bakers/noise/noise_reference.h"
+
 namespace skybake::noise {
 namespace {
 
 using config::WorleyFeature;
-using config::WorleyValue;
 
 using Interval = std::array<double, 2>;
 
@@ -49,20 +50,6 @@ Interval gradient_bounds(NoiseFractal fractal, bool moves) {
             break;
     }
     return {0, bound};
-}
-
-double worley_value(WorleyValue form, double distance) {
-    switch (form) {
-        case WorleyValue::distance:
-            return distance;
-        case WorleyValue::one_minus_distance:
-            return std::max(0.0, 1 - distance);
-        case WorleyValue::one_minus_distance_over_sqrt3:
-            return 1 - distance / std::numbers::sqrt3;
-        case WorleyValue::one_minus_distance_squared:
-            return std::max(0.0, 1 - distance * distance);
-    }
-    return distance;
 }
 
 // A weighted mean of octaves is bounded as each of them is.

@@ -6,11 +6,8 @@
 #include <optional>
 
 #include "bakers/math/memory.h"
-#include "bakers/noise/bump_kernel.h"
 #include "bakers/noise/cell_kernel.h"
 #include "bakers/noise/combine_kernel.h"
-#include "bakers/noise/narrow_cell_kernel.h"
-#include "bakers/noise/pointwise_kernel.h"
 #include "bakers/noise/scattered_kernel.h"
 #include "bakers/noise/stack_filler.h"
 

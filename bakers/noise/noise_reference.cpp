@@ -68,17 +68,7 @@ double worley(const NoiseChannel& channel, const Lattice& lattice, const glm::dv
     double distance = first;
     if (channel.feature == WorleyFeature::f2) distance = second;
     if (channel.feature == WorleyFeature::f2_minus_f1) distance = second - first;
-    switch (channel.value_form) {
-        case WorleyValue::distance:
-            return distance;
-        case WorleyValue::one_minus_distance:
-            return std::max(0.0, 1 - distance);
-        case WorleyValue::one_minus_distance_over_sqrt3:
-            return 1 - distance / std::sqrt(3.0);
-        case WorleyValue::one_minus_distance_squared:
-            return std::max(0.0, 1 - distance * distance);
-    }
-    return distance;
+    return worley_value(channel.value_form, distance);
 }
 
 template <class Octave>
@@ -198,6 +188,20 @@ double shaped(const NoiseChannel& channel, double value) {
 }
 
 }  // namespace
+
+double worley_value(WorleyValue form, double distance) {
+    switch (form) {
+        case WorleyValue::distance:
+            return distance;
+        case WorleyValue::one_minus_distance:
+            return std::max(0.0, 1 - distance);
+        case WorleyValue::one_minus_distance_over_sqrt3:
+            return 1 - distance / std::sqrt(3.0);
+        case WorleyValue::one_minus_distance_squared:
+            return std::max(0.0, 1 - distance * distance);
+    }
+    return distance;
+}
 
 std::vector<double> noise_reference(const Noise& noise, const std::array<double, 3>& place) {
     glm::dvec3 at = {place[0], place[1], place[2]};

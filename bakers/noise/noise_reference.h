@@ -14,4 +14,7 @@ namespace skybake::noise {
 // Returns all output channels at a place in units of tiles; the noise repeats outside [0, 1).
 std::vector<double> noise_reference(const Noise& noise, const std::array<double, 3>& place);
 
+// Returns the value of cellular noise at a distance from its points.
+double worley_value(config::WorleyValue form, double distance);
+
 }  // namespace skybake::noise

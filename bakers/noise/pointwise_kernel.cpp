@@ -10,7 +10,7 @@
 #include "bakers/noise/cell_tile-inl.h"
 #include "bakers/noise/gradient_blend-inl.h"
 #include "bakers/noise/lattice_hash-inl.h"
-#include "bakers/noise/pointwise_kernel.h"
+#include "bakers/noise/scattered_kernel.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace skybake::noise::HWY_NAMESPACE {

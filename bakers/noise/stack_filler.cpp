@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "bakers/noise/combine_kernel.h"
-#include "bakers/noise/pointwise_kernel.h"
+#include "bakers/noise/scattered_kernel.h"
 
 namespace skybake::noise {
 

@@ -1,5 +1,5 @@
 // Fills a box with a sum of octaves of gradient noise, chunk by chunk, by the kernel that suits each
-// octave: gradient_kernel.h for the first ones, while voxels share lattice points, pointwise_kernel.h
+// octave: gradient_kernel.h for the first ones, while voxels share lattice points, scattered_kernel.h
 // from the first octave on in which they do not, or scattered_kernel.h if samples are displaced.
 #pragma once
 

@@ -39,6 +39,17 @@ class BlockRows {
     std::vector<const float*> rows_;
 };
 
+// Calls `use` with each value of a box of voxels.
+template <class Use>
+void for_each_value(const BlockRows& rows, Span x, Span y, Span z, const Use& use) {
+    for (int plane = z.first; plane < z.last; ++plane) {
+        for (int line = y.first; line < y.last; ++line) {
+            const float* row = rows.at(line, plane);
+            for (int i = x.first; i < x.last; ++i) use(row[i]);
+        }
+    }
+}
+
 // Called once for each block, in any order, on several threads.
 using BlockWork = std::function<void(const CellBlock& block, const BlockRows& rows)>;
 

@@ -27,6 +27,23 @@ std::uint64_t next_voxels(const std::uint64_t* row, std::size_t word, std::size_
     return moved | ((row[0] & 1U) << last);
 }
 
+constexpr int kFinestEdge = 4;
+
+// Calls visit(x, y, z) for the places of a box that lie within `size`.
+template <class Visit>
+void for_each_within(const std::array<int, 3>& first, int edge, const std::array<int, 3>& size,
+                     const Visit& visit) {
+    for (int z = first[2]; z < std::min(first[2] + edge, size[2]); ++z) {
+        for (int y = first[1]; y < std::min(first[1] + edge, size[1]); ++y) {
+            for (int x = first[0]; x < std::min(first[0] + edge, size[0]); ++x) visit(x, y, z);
+        }
+    }
+}
+
+std::array<int, 3> times(const std::array<int, 3>& at, int factor) {
+    return {at[0] * factor, at[1] * factor, at[2] * factor};
+}
+
 }  // namespace
 
 VoxelBits::VoxelBits(const std::array<int, 3>& voxels)
@@ -84,27 +101,6 @@ void cells_between(const VoxelBits& bits, CellKind kind, int y, int z, std::uint
         cells[word] = (kind == CellKind::touched ? any : ~all) & used_bits(word, voxels[0]);
     }
 }
-
-namespace {
-
-constexpr int kFinestEdge = 4;
-
-// Calls visit(x, y, z) for the places of a box that lie within `size`.
-template <class Visit>
-void for_each_within(const std::array<int, 3>& first, int edge, const std::array<int, 3>& size,
-                     const Visit& visit) {
-    for (int z = first[2]; z < std::min(first[2] + edge, size[2]); ++z) {
-        for (int y = first[1]; y < std::min(first[1] + edge, size[1]); ++y) {
-            for (int x = first[0]; x < std::min(first[0] + edge, size[0]); ++x) visit(x, y, z);
-        }
-    }
-}
-
-std::array<int, 3> times(const std::array<int, 3>& at, int factor) {
-    return {at[0] * factor, at[1] * factor, at[2] * factor};
-}
-
-}  // namespace
 
 struct NearestVoxel::Search {
     std::array<double, 3> place{};  // seen from the copy of the tile that is searched

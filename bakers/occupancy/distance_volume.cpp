@@ -20,12 +20,7 @@ bool has(const std::vector<DistanceContent>& contents, DistanceContent content) 
 
 double mean_of(const BlockRows& rows, Span x, Span y, Span z) {
     double sum = 0;
-    for (int plane = z.first; plane < z.last; ++plane) {
-        for (int line = y.first; line < y.last; ++line) {
-            const float* row = rows.at(line, plane);
-            for (int i = x.first; i < x.last; ++i) sum += double{row[i]};
-        }
-    }
+    for_each_value(rows, x, y, z, [&](float value) { sum += double{value}; });
     return sum / (static_cast<double>(x.count()) * y.count() * z.count());
 }
 

@@ -17,12 +17,7 @@ namespace {
 
 int count_above(const BlockRows& rows, Span x, Span y, Span z, float threshold) {
     int count = 0;
-    for (int plane = z.first; plane < z.last; ++plane) {
-        for (int line = y.first; line < y.last; ++line) {
-            const float* row = rows.at(line, plane);
-            for (int i = x.first; i < x.last; ++i) count += row[i] > threshold ? 1 : 0;
-        }
-    }
+    for_each_value(rows, x, y, z, [&](float value) { count += value > threshold ? 1 : 0; });
     return count;
 }
 

@@ -125,6 +125,17 @@ double bake_seconds(const std::vector<const BakedAsset*>& assets) {
     return seconds;
 }
 
+constexpr int kVersion = 1;  // of what is kept: a line of JSON, then the sheet
+
+// All that is kept of a way, in the order of the line.
+auto kept_of(MeasuredWay& way) {
+    SkyError& error = way.error;
+    auto& [compared, fetches, bytes, operations] = way.figures;
+    return std::tie(error.median, error.ninth_decile, error.max, error.standard_error, error.points,
+                    error.left_out, error.worst, error.reference, compared, fetches, bytes,
+                    operations, way.bake_s);
+}
+
 }  // namespace
 
 std::vector<std::size_t> WayAssets::numbers_of(const Way& way) const {
@@ -187,21 +198,6 @@ void add_lookups(const BakedAsset& asset, double lookups, WayFigures& figures) {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-
-namespace {
-
-constexpr int kVersion = 1;  // of what is kept: a line of JSON, then the sheet
-
-// All that is kept of a way, in the order of the line.
-auto kept_of(MeasuredWay& way) {
-    SkyError& error = way.error;
-    auto& [compared, fetches, bytes, operations] = way.figures;
-    return std::tie(error.median, error.ninth_decile, error.max, error.standard_error, error.points,
-                    error.left_out, error.worst, error.reference, compared, fetches, bytes,
-                    operations, way.bake_s);
-}
-
-}  // namespace
 
 std::string figures_key(const Recipe& recipe, std::vector<config::Read> reads,
                         const WayAssets& assets, const MeasuredWays& plan,

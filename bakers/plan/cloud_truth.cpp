@@ -9,7 +9,6 @@
 
 #include "bakers/assets/cloud_light/cloud_scattering.h"
 #include "bakers/light/sky_ray.h"
-#include "bakers/march/cloud_light.h"
 #include "bakers/math/parallel.h"
 #include "bakers/math/vectors.h"
 #include "bakers/plan/marched_cloud.h"

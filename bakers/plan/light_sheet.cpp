@@ -22,69 +22,6 @@ AssetPlaces places_of(const Parameters& parameters, const BakedAsset& asset) {
     return baker_of(*asset.bake).places(parameters, *asset.bake, stored_texels(asset.baked));
 }
 
-}  // namespace
-
-std::vector<Spectrum> LightOfWay::find(const LightWay& way,
-                                       const std::vector<const BakedAsset*>& assets) const {
-    switch (way.how) {
-        case config::SkyBy::march:
-            return march(way, assets);
-        case config::SkyBy::fetch:
-            return fetch(*assets.front());
-        case config::SkyBy::picture:
-            return look_up(way, assets);
-    }
-    return {};
-}
-
-std::vector<Spectrum> LightOfWay::march(const LightWay& way,
-                                        const std::vector<const BakedAsset*>& assets) const {
-    auto stored = mapped<PreviewAsset>(assets, [&](const BakedAsset* asset) {
-        return PreviewAsset{describe(asset->baked), asset->baked.image(), {}};
-    });
-    const auto tables = make_sky_tables(stored[0], stored.size() == 1 ? nullptr : &stored[1]);
-    // The views show the air alone.
-    SkyMedium over_black_ground = truth_.packets().front()->medium();
-    over_black_ground.air.ground_albedo = Spectrum(0.0);
-    const Shell shell = shell_of(over_black_ground.air);
-    const bool has_things = truth_.what() == config::Draws::distance;
-    std::vector<SkyRay> rays;
-    std::vector<double> reaches_km;
-    for (const auto& [sky, distance_km] : truth_.views()) {
-        rays.push_back(sky_ray(shell, sky.altitude_km, sky.sun, sky.direction));
-        if (has_things) reaches_km.push_back(distance_km);
-    }
-    return truth_.as_compared(
-        march_sky(over_black_ground, *tables.value, rays, way.steps, threads_, reaches_km));
-}
-
-std::vector<Spectrum> LightOfWay::fetch(const BakedAsset& asset) const {
-    const auto& bake = asset.bake->as<BrunetonBake>();
-    const auto skies = mapped<SkySample>(truth_.views(), &LightView::sky);
-    return sky_of_scattering(truth_.packets(), bake, places_of(parameters_, asset), skies)(
-        asset.baked, threads_);
-}
-
-std::vector<Spectrum> LightOfWay::look_up(const LightWay& way,
-                                          const std::vector<const BakedAsset*>& assets) const {
-    std::vector<std::vector<Place>> at(assets.size());
-    std::vector<std::vector<std::size_t>> views(assets.size());
-    for (std::size_t i = 0; i < truth_.views().size(); ++i) {
-        Reading reading = way.reads(truth_.views()[i]);
-        at[reading.asset].push_back(std::move(reading.at));
-        views[reading.asset].push_back(i);
-    }
-    std::vector<Spectrum> light(truth_.views().size());
-    for (std::size_t a = 0; a < assets.size(); ++a) {
-        const auto places = [&](const StoredTexels&) { return places_of(parameters_, *assets[a]); };
-        const auto found = light_looked_up(places, std::move(at[a]))(assets[a]->baked, threads_);
-        for (std::size_t i = 0; i < found.size(); ++i) light[views[a][i]] = found[i];
-    }
-    return light;
-}
-
-namespace {
-
 // Half a picture, from the sun to the point opposite to it; the other half is its mirror image.
 constexpr int kHalfWidth = 32;
 constexpr double kPicturePaths = 1 << 19;
@@ -170,6 +107,65 @@ LightPicture sky_under(const std::vector<glm::dvec3>& colors, int rows, std::siz
 }
 
 }  // namespace
+
+std::vector<Spectrum> LightOfWay::find(const LightWay& way,
+                                       const std::vector<const BakedAsset*>& assets) const {
+    switch (way.how) {
+        case config::SkyBy::march:
+            return march(way, assets);
+        case config::SkyBy::fetch:
+            return fetch(*assets.front());
+        case config::SkyBy::picture:
+            return look_up(way, assets);
+    }
+    return {};
+}
+
+std::vector<Spectrum> LightOfWay::march(const LightWay& way,
+                                        const std::vector<const BakedAsset*>& assets) const {
+    auto stored = mapped<PreviewAsset>(assets, [&](const BakedAsset* asset) {
+        return PreviewAsset{describe(asset->baked), asset->baked.image(), {}};
+    });
+    const auto tables = make_sky_tables(stored[0], stored.size() == 1 ? nullptr : &stored[1]);
+    // The views show the air alone.
+    SkyMedium over_black_ground = truth_.packets().front()->medium();
+    over_black_ground.air.ground_albedo = Spectrum(0.0);
+    const Shell shell = shell_of(over_black_ground.air);
+    const bool has_things = truth_.what() == config::Draws::distance;
+    std::vector<SkyRay> rays;
+    std::vector<double> reaches_km;
+    for (const auto& [sky, distance_km] : truth_.views()) {
+        rays.push_back(sky_ray(shell, sky.altitude_km, sky.sun, sky.direction));
+        if (has_things) reaches_km.push_back(distance_km);
+    }
+    return truth_.as_compared(
+        march_sky(over_black_ground, *tables.value, rays, way.steps, threads_, reaches_km));
+}
+
+std::vector<Spectrum> LightOfWay::fetch(const BakedAsset& asset) const {
+    const auto& bake = asset.bake->as<BrunetonBake>();
+    const auto skies = mapped<SkySample>(truth_.views(), &LightView::sky);
+    return sky_of_scattering(truth_.packets(), bake, places_of(parameters_, asset), skies)(
+        asset.baked, threads_);
+}
+
+std::vector<Spectrum> LightOfWay::look_up(const LightWay& way,
+                                          const std::vector<const BakedAsset*>& assets) const {
+    std::vector<std::vector<Place>> at(assets.size());
+    std::vector<std::vector<std::size_t>> views(assets.size());
+    for (std::size_t i = 0; i < truth_.views().size(); ++i) {
+        Reading reading = way.reads(truth_.views()[i]);
+        at[reading.asset].push_back(std::move(reading.at));
+        views[reading.asset].push_back(i);
+    }
+    std::vector<Spectrum> light(truth_.views().size());
+    for (std::size_t a = 0; a < assets.size(); ++a) {
+        const auto places = [&](const StoredTexels&) { return places_of(parameters_, *assets[a]); };
+        const auto found = light_looked_up(places, std::move(at[a]))(assets[a]->baked, threads_);
+        for (std::size_t i = 0; i < found.size(); ++i) light[views[a][i]] = found[i];
+    }
+    return light;
+}
 
 Outcome<std::string> light_sheet(config::Draws light, const Parameters& parameters,
                                  const SceneRange& range,

@@ -20,6 +20,45 @@ constexpr double kHighestShare = 0.99;
 
 double between(double low, double high, double share) { return low + share * (high - low); }
 
+TraceOfPlace trace_of(Draws light, const std::shared_ptr<const TracedAir>& air,
+                      const std::vector<LightView>& views) {
+    std::vector<SkySample> skies;
+    std::vector<AirSample> things;
+    std::vector<LevelSample> surfaces;
+    for (const auto& [sky, distance_km] : views) {
+        skies.push_back(sky);
+        things.push_back({sky.altitude_km, sky.sun, sky.direction, distance_km});
+        surfaces.push_back({sky.altitude_km, sky.sun_elevation_deg, sky.sun});
+    }
+    switch (light) {
+        case Draws::distance:
+            return trace_of_air(air, std::move(things), config::SkyOrders::all);
+        case Draws::ground_light:
+            return trace_of_daylight(air, surfaces);
+        default:
+            return trace_of_sky(air, std::move(skies), config::SkyOrders::all,
+                                light == Draws::surroundings);
+    }
+}
+
+std::vector<std::shared_ptr<const TracedAir>> packets_of(const Parameters& parameters) {
+    return mapped<std::shared_ptr<const TracedAir>>(
+        light_packets(parameters), [&](const config::Atmosphere& packet) {
+            return std::make_shared<const TracedAir>(packet);
+        });
+}
+
+TracedLight light_of(Draws what, const Parameters& parameters,
+                     const std::vector<std::shared_ptr<const TracedAir>>& packets,
+                     const std::vector<LightView>& views) {
+    TracedLight light;
+    light.channels = light_channels(parameters);
+    const auto skies = mapped<SkySample>(views, &LightView::sky);
+    light.places = places_of(skies);
+    for (const auto& air : packets) light.traced.push_back(trace_of(what, air, views));
+    return light;
+}
+
 }  // namespace
 
 SceneRange range_of(const config::Scene& scene, const Shell& shell) {
@@ -77,49 +116,6 @@ std::vector<LightView> scene_views(Draws light, const SceneRange& range, const S
     }
     return views;
 }
-
-namespace {
-
-TraceOfPlace trace_of(Draws light, const std::shared_ptr<const TracedAir>& air,
-                      const std::vector<LightView>& views) {
-    std::vector<SkySample> skies;
-    std::vector<AirSample> things;
-    std::vector<LevelSample> surfaces;
-    for (const auto& [sky, distance_km] : views) {
-        skies.push_back(sky);
-        things.push_back({sky.altitude_km, sky.sun, sky.direction, distance_km});
-        surfaces.push_back({sky.altitude_km, sky.sun_elevation_deg, sky.sun});
-    }
-    switch (light) {
-        case Draws::distance:
-            return trace_of_air(air, std::move(things), config::SkyOrders::all);
-        case Draws::ground_light:
-            return trace_of_daylight(air, surfaces);
-        default:
-            return trace_of_sky(air, std::move(skies), config::SkyOrders::all,
-                                light == Draws::surroundings);
-    }
-}
-
-std::vector<std::shared_ptr<const TracedAir>> packets_of(const Parameters& parameters) {
-    return mapped<std::shared_ptr<const TracedAir>>(
-        light_packets(parameters), [&](const config::Atmosphere& packet) {
-            return std::make_shared<const TracedAir>(packet);
-        });
-}
-
-TracedLight light_of(Draws what, const Parameters& parameters,
-                     const std::vector<std::shared_ptr<const TracedAir>>& packets,
-                     const std::vector<LightView>& views) {
-    TracedLight light;
-    light.channels = light_channels(parameters);
-    const auto skies = mapped<SkySample>(views, &LightView::sky);
-    light.places = places_of(skies);
-    for (const auto& air : packets) light.traced.push_back(trace_of(what, air, views));
-    return light;
-}
-
-}  // namespace
 
 SceneTruth::SceneTruth(Draws light, const Parameters& parameters, std::vector<LightView> views,
                        std::vector<glm::dvec3> weights, BakeOptions options)

@@ -47,6 +47,23 @@ const Light& light_of(const PlanSubject& subject) {
     return *std::ranges::find(kLights, subject.draws, &Light::draws);
 }
 
+// Says which figures the best ways reach.
+Diagnostic unreached(const PlanSubject& subject, const std::vector<WayFigures>& figures) {
+    WayFigures least = figures.front();
+    for (const WayFigures& way : figures) {
+        least.error = std::min(least.error, way.error);
+        least.fetches = std::min(least.fetches, way.fetches);
+        least.bytes = std::min(least.bytes, way.bytes);
+    }
+    return diagnosis(
+        "E0408",
+        fmt::format(
+            "no way to draw {} keeps the limits; each by itself, the least error is {:.3g} %, the "
+            "fewest fetches are {:.0f} and the least size is {}",
+            name_of(subject), 100 * least.error, least.fetches, byte_size_text(least.bytes)),
+        "raise a limit; the table shows what each way has");
+}
+
 }  // namespace
 
 std::vector<PlanSubject> subjects_of(const Parameters& parameters) {
@@ -87,27 +104,6 @@ WayLimits limits_of(const PlanRequest& request, const config::Scene& scene,
     if (!limits.bytes && scene.max_size_mib) limits.bytes = *scene.max_size_mib * 1024 * 1024;
     return limits;
 }
-
-namespace {
-
-// Says which figures the best ways reach.
-Diagnostic unreached(const PlanSubject& subject, const std::vector<WayFigures>& figures) {
-    WayFigures least = figures.front();
-    for (const WayFigures& way : figures) {
-        least.error = std::min(least.error, way.error);
-        least.fetches = std::min(least.fetches, way.fetches);
-        least.bytes = std::min(least.bytes, way.bytes);
-    }
-    return diagnosis(
-        "E0408",
-        fmt::format(
-            "no way to draw {} keeps the limits; each by itself, the least error is {:.3g} %, the "
-            "fewest fetches are {:.0f} and the least size is {}",
-            name_of(subject), 100 * least.error, least.fetches, byte_size_text(least.bytes)),
-        "raise a limit; the table shows what each way has");
-}
-
-}  // namespace
 
 Outcome<Plan> without_light(const PlanSubject& subject) {
     return diagnosis(

@@ -11,6 +11,7 @@
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/files/load_module.h"
 #include "bakers/io/formats/png/map_image.h"
+#include "config/text/text.h"
 
 namespace skybake {
 namespace {
@@ -26,17 +27,11 @@ const LoadedCodec<ChartModule>& chart_module() {
 
 // Escapes a text for XML elements, attributes and comments.
 std::string escaped(std::string_view text) {
-    constexpr std::pair<char, std::string_view> entities[] = {
-        {'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}, {'\'', "&apos;"}};
-    std::string result;
-    for (const char letter : text) {
-        const auto* const entity =
-            std::ranges::find(entities, letter, [](const auto& e) { return e.first; });
-        if (entity != std::end(entities)) {
-            result += entity->second;
-        } else {  // XML allows no other control characters.
-            result += static_cast<unsigned char>(letter) < 0x20 ? ' ' : letter;
-        }
+    std::string result = config::replaced(
+        text, {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}, {'\'', "&apos;"}});
+    // XML allows no other control characters.
+    for (char& letter : result) {
+        if (static_cast<unsigned char>(letter) < 0x20) letter = ' ';
     }
     return result;
 }

@@ -93,31 +93,6 @@ void place_sun(bool clouds, PreviewOptions& options) {
     options.place.reset();
 }
 
-}  // namespace
-
-Outcome<PreviewOptions> completed(PreviewOptions options, const Recipe* recipe,
-                                  const LitPictures& lit) {
-    const bool by_angles = !options.sun_elevations_deg.empty() || options.sun_azimuth_deg;
-    if (options.at && by_angles) {
-        return option_fault("--at excludes --sun-elevation and --sun-azimuth",
-                            "the time and the place say where the sun stands");
-    }
-    const bool place_is_asked = options.place.has_value();
-    const auto preview = recipe != nullptr ? config::preview_of(*recipe) : std::nullopt;
-    if (preview) take_section(*preview, lit, options);
-    if (options.at && !options.place) {
-        return option_fault("--at needs a place",
-                            "give --place 47.4,8.5, or latitude and longitude in [preview]");
-    }
-    if (place_is_asked && !options.at) {
-        return option_fault("--place needs a time", "give --at \"2026-06-21 18:30\"");
-    }
-    if (options.at) place_sun(lit.clouds, options);
-    return {std::move(options), {}};
-}
-
-namespace {
-
 struct GivenOption {
     std::string_view name;  // with `_`, as the key of [preview] that is like it
     bool given = false;
@@ -155,6 +130,27 @@ bool reaches_sides(const PreviewAsset& volume) {
 }
 
 }  // namespace
+
+Outcome<PreviewOptions> completed(PreviewOptions options, const Recipe* recipe,
+                                  const LitPictures& lit) {
+    const bool by_angles = !options.sun_elevations_deg.empty() || options.sun_azimuth_deg;
+    if (options.at && by_angles) {
+        return option_fault("--at excludes --sun-elevation and --sun-azimuth",
+                            "the time and the place say where the sun stands");
+    }
+    const bool place_is_asked = options.place.has_value();
+    const auto preview = recipe != nullptr ? config::preview_of(*recipe) : std::nullopt;
+    if (preview) take_section(*preview, lit, options);
+    if (options.at && !options.place) {
+        return option_fault("--at needs a place",
+                            "give --place 47.4,8.5, or latitude and longitude in [preview]");
+    }
+    if (place_is_asked && !options.at) {
+        return option_fault("--place needs a time", "give --at \"2026-06-21 18:30\"");
+    }
+    if (options.at) place_sun(lit.clouds, options);
+    return {std::move(options), {}};
+}
 
 Diagnostic option_fault(std::string message, std::string label) {
     return diagnosis("E0001", std::move(message), std::move(label));

@@ -6,33 +6,18 @@
 #include <cstdint>
 
 #include "bakers/io/manifest/release.h"
+#include "config/text/text.h"
 
 namespace skybake {
 
 std::string generator() { return fmt::format("{} {} preview", tool_name(), release()); }
 
 std::string html_text(std::string_view text) {
-    static const std::map<char, std::string_view> entities = {
-        {'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}};
-    std::string escaped;
-    for (const char c : text) {
-        const auto entity = entities.find(c);
-        entity == entities.end() ? void(escaped += c) : void(escaped += entity->second);
-    }
-    return escaped;
+    return config::replaced(text, {{'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}});
 }
 
 std::string safe_in_script(std::string_view text) {
-    std::string safe;
-    safe.reserve(text.size());
-    for (const char c : text) {
-        if (c == '<') {
-            safe += "\\u003c";
-        } else {
-            safe += c;
-        }
-    }
-    return safe;
+    return config::replaced(text, {{'<', "\\u003c"}});
 }
 
 std::string filled(std::string_view form, const std::map<std::string_view, std::string>& values) {

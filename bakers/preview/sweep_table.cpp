@@ -49,58 +49,6 @@ bool is_the_same_everywhere(const PreviewSweep& sweep, const std::string& asset)
     return true;
 }
 
-}  // namespace
-
-SweepTable::SweepTable(const PreviewSweep& sweep) : sweep_(sweep) {
-    // Figures that differ are to be seen without scrolling.
-    std::vector<std::string> assets = sweep.assets;
-    std::stable_partition(assets.begin(), assets.end(), [&](const std::string& asset) {
-        return !is_the_same_everywhere(sweep, asset);
-    });
-    for (const std::string& asset : assets) {
-        const std::set<std::string> measured = measured_figures(sweep, asset);
-        for (const auto& [name, title, shown] : known_figures) {
-            if (!measured.contains(name)) continue;
-            figures_.push_back({asset, name, {fmt::format("{}: {}", asset, title), shown}});
-        }
-        for (const std::string& name : measured) {  // times: "texels_s"
-            if (!name.ends_with("_s")) continue;
-            const auto title = fmt::format("{}: {}", asset, name.substr(0, name.size() - 2));
-            figures_.push_back({asset, name, {title, "duration"}});
-        }
-    }
-}
-
-std::vector<PageTable::Column> SweepTable::columns() const {
-    std::vector<PageTable::Column> columns;
-    for (std::size_t i = 0; i < sweep_.names.size(); ++i) {
-        const bool numbers = std::ranges::all_of(sweep_.variants, [&](const SweepVariant& variant) {
-            return variant.values[i].number.has_value();
-        });
-        columns.push_back({sweep_.names[i], numbers ? "number" : ""});
-    }
-    for (const Figure& figure : figures_) columns.push_back(figure.column);
-    columns.push_back({"Picture: difference, RMS of 255", "figure"});
-    columns.push_back({"Status", ""});
-    return columns;
-}
-
-PageVariant SweepTable::row(const SweepVariant& variant, std::optional<double> difference,
-                            const std::filesystem::path& folder) const {
-    PageVariant row;
-    row.name = variant.name;
-    row.folder = (folder / variant.name).generic_string() + "/";
-    for (const SweptValue& value : variant.values) row.cells.push_back({value.number, value.text});
-    for (const Figure& figure : figures_) {
-        row.cells.push_back({figure_of(variant, figure.asset, figure.name), ""});
-    }
-    row.cells.push_back({difference, ""});
-    row.cells.push_back({std::nullopt, variant.status});
-    return row;
-}
-
-namespace {
-
 // A figure as an axis of a plot shows it.
 struct PlottedFigure {
     std::string_view figure;  // empty: the time of the bake
@@ -215,6 +163,54 @@ std::optional<PreviewPicture> plot_of(const PreviewSweep& sweep, const std::stri
 }
 
 }  // namespace
+
+SweepTable::SweepTable(const PreviewSweep& sweep) : sweep_(sweep) {
+    // Figures that differ are to be seen without scrolling.
+    std::vector<std::string> assets = sweep.assets;
+    std::stable_partition(assets.begin(), assets.end(), [&](const std::string& asset) {
+        return !is_the_same_everywhere(sweep, asset);
+    });
+    for (const std::string& asset : assets) {
+        const std::set<std::string> measured = measured_figures(sweep, asset);
+        for (const auto& [name, title, shown] : known_figures) {
+            if (!measured.contains(name)) continue;
+            figures_.push_back({asset, name, {fmt::format("{}: {}", asset, title), shown}});
+        }
+        for (const std::string& name : measured) {  // times: "texels_s"
+            if (!name.ends_with("_s")) continue;
+            const auto title = fmt::format("{}: {}", asset, name.substr(0, name.size() - 2));
+            figures_.push_back({asset, name, {title, "duration"}});
+        }
+    }
+}
+
+std::vector<PageTable::Column> SweepTable::columns() const {
+    std::vector<PageTable::Column> columns;
+    for (std::size_t i = 0; i < sweep_.names.size(); ++i) {
+        const bool numbers = std::ranges::all_of(sweep_.variants, [&](const SweepVariant& variant) {
+            return variant.values[i].number.has_value();
+        });
+        columns.push_back({sweep_.names[i], numbers ? "number" : ""});
+    }
+    for (const Figure& figure : figures_) columns.push_back(figure.column);
+    columns.push_back({"Picture: difference, RMS of 255", "figure"});
+    columns.push_back({"Status", ""});
+    return columns;
+}
+
+PageVariant SweepTable::row(const SweepVariant& variant, std::optional<double> difference,
+                            const std::filesystem::path& folder) const {
+    PageVariant row;
+    row.name = variant.name;
+    row.folder = (folder / variant.name).generic_string() + "/";
+    for (const SweptValue& value : variant.values) row.cells.push_back({value.number, value.text});
+    for (const Figure& figure : figures_) {
+        row.cells.push_back({figure_of(variant, figure.asset, figure.name), ""});
+    }
+    row.cells.push_back({difference, ""});
+    row.cells.push_back({std::nullopt, variant.status});
+    return row;
+}
 
 std::vector<PreviewPicture> sweep_plots(const PreviewSweep& sweep) {
     std::vector<PreviewPicture> plots;

@@ -62,6 +62,13 @@ const config::ResolvedValue* find_value(const Recipe& recipe, const std::string&
     return found == recipe.values.end() ? nullptr : &*found;
 }
 
+// Whether choice a beats choice b. A choice always has a smaller error than the one that it beats,
+// or a smaller cost at the same error, so the choice of the least error is always on the front.
+bool beats(const CostAndError& a, const CostAndError& b, double noise) {
+    if (a.error == b.error) return a.cost < b.cost;
+    return a.error < b.error && a.cost <= b.cost * (1 + noise);
+}
+
 }  // namespace
 
 std::string plain_value(std::string_view toml) {
@@ -117,17 +124,6 @@ std::uint64_t MemoryFile::bytes() const {
     if (!file_.valid() || ::fstat(file_.get(), &status) != 0) return 0;
     return static_cast<std::uint64_t>(status.st_size);
 }
-
-namespace {
-
-// Whether choice a beats choice b. A choice always has a smaller error than the one that it beats,
-// or a smaller cost at the same error, so the choice of the least error is always on the front.
-bool beats(const CostAndError& a, const CostAndError& b, double noise) {
-    if (a.error == b.error) return a.cost < b.cost;
-    return a.error < b.error && a.cost <= b.cost * (1 + noise);
-}
-
-}  // namespace
 
 std::vector<bool> pareto_front(const std::vector<CostAndError>& choices, double noise) {
     std::vector<bool> front;

@@ -96,6 +96,47 @@ const TypeRow* type_row(std::string_view type) {
     return row != kTypes.end() ? row : nullptr;
 }
 
+bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+
+std::size_t end_of_blanks(std::string_view text, std::size_t at) {
+    while (at < text.size()) {
+        if (text.substr(at, 2) == "//") {
+            at = std::min(text.find('\n', at), text.size());
+        } else if (std::isspace(static_cast<unsigned char>(text[at])) != 0) {
+            ++at;
+        } else {
+            break;
+        }
+    }
+    return at;
+}
+
+// 6360.0, 7, 1e-20, 1.0e-05
+std::size_t end_of_number(std::string_view text, std::size_t at) {
+    const auto digits = [&] {
+        while (at < text.size() && is_digit(text[at])) ++at;
+    };
+    digits();
+    if (at < text.size() && text[at] == '.') {
+        ++at;
+        digits();
+    }
+    if (at < text.size() && (text[at] == 'e' || text[at] == 'E')) {
+        ++at;
+        if (at < text.size() && (text[at] == '-' || text[at] == '+')) ++at;
+        digits();
+    }
+    return at;
+}
+
+std::size_t end_of_mark(std::string_view text, std::size_t at) {
+    static constexpr std::array<std::string_view, 10> kPairs = {"==", "!=", "<=", ">=", "&&",
+                                                                "||", "+=", "-=", "*=", "/="};
+    const bool is_pair = std::ranges::find(kPairs, text.substr(at, 2)) != kPairs.end();
+    return at + (is_pair ? 2 : 1);
+}
+
 }  // namespace
 
 std::string_view translated_type(std::string_view type, ShadingLanguage language) {
@@ -140,51 +181,6 @@ std::string allowed_name(std::string_view name, ShadingLanguage language) {
     });
     return std::string(name) + (is_reserved ? "_" : "");
 }
-
-namespace {
-
-bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }
-bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
-
-std::size_t end_of_blanks(std::string_view text, std::size_t at) {
-    while (at < text.size()) {
-        if (text.substr(at, 2) == "//") {
-            at = std::min(text.find('\n', at), text.size());
-        } else if (std::isspace(static_cast<unsigned char>(text[at])) != 0) {
-            ++at;
-        } else {
-            break;
-        }
-    }
-    return at;
-}
-
-// 6360.0, 7, 1e-20, 1.0e-05
-std::size_t end_of_number(std::string_view text, std::size_t at) {
-    const auto digits = [&] {
-        while (at < text.size() && is_digit(text[at])) ++at;
-    };
-    digits();
-    if (at < text.size() && text[at] == '.') {
-        ++at;
-        digits();
-    }
-    if (at < text.size() && (text[at] == 'e' || text[at] == 'E')) {
-        ++at;
-        if (at < text.size() && (text[at] == '-' || text[at] == '+')) ++at;
-        digits();
-    }
-    return at;
-}
-
-std::size_t end_of_mark(std::string_view text, std::size_t at) {
-    static constexpr std::array<std::string_view, 10> kPairs = {"==", "!=", "<=", ">=", "&&",
-                                                                "||", "+=", "-=", "*=", "/="};
-    const bool is_pair = std::ranges::find(kPairs, text.substr(at, 2)) != kPairs.end();
-    return at + (is_pair ? 2 : 1);
-}
-
-}  // namespace
 
 std::vector<Token> tokens_of(std::string_view glsl) {
     std::vector<Token> tokens;

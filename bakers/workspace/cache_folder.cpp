@@ -87,6 +87,37 @@ bool may_become_a_cache(const fs::path& folder) {
     return true;
 }
 
+AssetIdentity identity_of(const KeptBytes::Name& name) {
+    AssetIdentity identity;
+    identity.kind = name.kind;
+    identity.release = release();
+    identity.baker_version = name.version;
+    identity.parameters = name.parameters;
+    identity.key = key_of(identity);
+    return identity;
+}
+
+// The entry of a manifest has the form of an asset's: a table without channels.
+ManifestAsset entry_of(const KeptBytes::Name& name, std::string_view bytes) {
+    ManifestAsset entry;
+    entry.name = name.kind;
+    entry.kind = name.kind;
+    entry.content = "what assets are made from";
+    entry.release = release();
+    entry.axes.resize(2);
+    entry.size = {1, 1};
+    entry.levels.emplace_back().size = {1, 1, 1};
+    entry.files.emplace_back();
+    entry.files[0].path = name.kind;
+    entry.files[0].format = "bin";
+    entry.files[0].compression = "none";
+    entry.files[0].bytes = bytes.size();
+    entry.files[0].xxh3 = xxh3_hex(bytes);
+    entry.parameters = name.parameters;
+    sign(identity_of(name), entry);
+    return entry;
+}
+
 }  // namespace
 
 bool is_cache_folder(const fs::path& folder) {
@@ -178,41 +209,6 @@ void remove_abandoned(const fs::path& cache) {
         ::unlinkat(pending.get(), name.c_str(), AT_REMOVEDIR);
     }
 }
-
-namespace {
-
-AssetIdentity identity_of(const KeptBytes::Name& name) {
-    AssetIdentity identity;
-    identity.kind = name.kind;
-    identity.release = release();
-    identity.baker_version = name.version;
-    identity.parameters = name.parameters;
-    identity.key = key_of(identity);
-    return identity;
-}
-
-// The entry of a manifest has the form of an asset's: a table without channels.
-ManifestAsset entry_of(const KeptBytes::Name& name, std::string_view bytes) {
-    ManifestAsset entry;
-    entry.name = name.kind;
-    entry.kind = name.kind;
-    entry.content = "what assets are made from";
-    entry.release = release();
-    entry.axes.resize(2);
-    entry.size = {1, 1};
-    entry.levels.emplace_back().size = {1, 1, 1};
-    entry.files.emplace_back();
-    entry.files[0].path = name.kind;
-    entry.files[0].format = "bin";
-    entry.files[0].compression = "none";
-    entry.files[0].bytes = bytes.size();
-    entry.files[0].xxh3 = xxh3_hex(bytes);
-    entry.parameters = name.parameters;
-    sign(identity_of(name), entry);
-    return entry;
-}
-
-}  // namespace
 
 std::optional<std::string> CachedBytes::find(const Name& name) {
     AssetCache cache(cache_);

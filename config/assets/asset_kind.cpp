@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cassert>
 #include <optional>
-#include <tuple>
 
 #include "config/assets/assets.h"
 #include "config/assets/bake_parts.h"
@@ -27,36 +26,6 @@ const AssetKind& only_kind(Tag<Asset> asset) {
     static const AssetKind kind = asset_kind(asset);
     return kind;
 }
-
-}  // namespace
-
-std::span<const AssetKind* const> asset_kinds() {
-    static const std::vector<const AssetKind*> kinds = [] {
-        std::vector<const AssetKind*> all;
-        for_each_asset([&all](auto asset) { all.push_back(&only_kind(asset)); });
-        return all;
-    }();
-    return kinds;
-}
-
-const AssetKind& kind_of(const Bake& bake) {
-    const AssetKind* kind = nullptr;
-    for_each_asset([&]<class Asset>(Tag<Asset> asset) {
-        if (bake.is<Asset>()) kind = &only_kind(asset);
-    });
-    assert(kind);
-    return *kind;
-}
-
-const AssetFiles& files_of(const Bake& bake) { return kind_of(bake).files(bake); }
-
-int packet_number(const Bake& bake) { return kind_of(bake).packet(bake); }
-
-int frame_of(const Parameters& parameters, const Bake& bake) {
-    return kind_of(bake).frame(parameters, bake);
-}
-
-namespace {
 
 // Returns null if there is no asset of this name.
 const AssetKind* find_kind(std::string_view name) {
@@ -117,13 +86,9 @@ std::optional<OpenBake> read_bake(const std::string& name, const Place& place, c
 }
 
 std::vector<const Entry*> bakes_in_file_order(const Table& bakes) {
-    const auto order = [](const Entry* entry) {
-        const Place& place = entry->key_place;
-        return std::make_tuple(place.source ? place.source->order : -1, place.line, place.column);
-    };
     auto entries = mapped<const Entry*>(bakes, [](const Entry& entry) { return &entry; });
-    std::ranges::stable_sort(entries,
-                             [&](const Entry* a, const Entry* b) { return order(a) < order(b); });
+    std::ranges::stable_sort(entries, {},
+                             [](const Entry* entry) { return reading_order(entry->key_place); });
     return entries;
 }
 
@@ -188,6 +153,32 @@ Bake bind(const OpenBake& bake, const Parameters& recipe) {
 }
 
 }  // namespace
+
+std::span<const AssetKind* const> asset_kinds() {
+    static const std::vector<const AssetKind*> kinds = [] {
+        std::vector<const AssetKind*> all;
+        for_each_asset([&all](auto asset) { all.push_back(&only_kind(asset)); });
+        return all;
+    }();
+    return kinds;
+}
+
+const AssetKind& kind_of(const Bake& bake) {
+    const AssetKind* kind = nullptr;
+    for_each_asset([&]<class Asset>(Tag<Asset> asset) {
+        if (bake.is<Asset>()) kind = &only_kind(asset);
+    });
+    assert(kind);
+    return *kind;
+}
+
+const AssetFiles& files_of(const Bake& bake) { return kind_of(bake).files(bake); }
+
+int packet_number(const Bake& bake) { return kind_of(bake).packet(bake); }
+
+int frame_of(const Parameters& parameters, const Bake& bake) {
+    return kind_of(bake).frame(parameters, bake);
+}
 
 std::vector<Bake> decode_bakes(const Table& root, const Parameters& recipe, Decoder& decoder) {
     std::vector<OpenBake> open;

@@ -7,7 +7,6 @@
 #include "config/assets/file_decoder.h"
 #include "config/fields/fields.h"
 #include "config/fields/section_decoder.h"
-#include "config/sections/parameters.h"
 
 namespace skybake::config {
 namespace {

@@ -1,7 +1,5 @@
 #include "config/assets/cloud_distance.h"
 
-#include <fmt/format.h>
-
 #include "config/assets/asset_fields.h"
 #include "config/assets/asset_kind.h"
 #include "config/assets/cloud_volume.h"
@@ -56,6 +54,12 @@ struct DistanceResolver {
     Decoder& decoder;
 
     std::size_t check_contents() const {
+        const std::size_t channels = check_channels();
+        check_range();
+        return channels;
+    }
+
+    std::size_t check_channels() const {
         const DecodedField& decoded = bake.at("contents");
         if (!decoded.value) return 1;
         const auto& contents = std::get<std::vector<ChoiceIndex>>(*decoded.value);
@@ -82,7 +86,10 @@ struct DistanceResolver {
                        "begin it at or below 0 m, and end it above 0 m");
     }
 
+    void check_cells(const VoxelCounts&) const {}
+
     void check_tiling(const CloudVolumeBake& volume, int cell) const {
+        check_levels();
         for (std::size_t axis = 0; axis < 2; ++axis) {
             if (volume.size[axis] % cell != 0) {
                 return report_untiled(bake, volume, cell, axis, decoder);
@@ -99,28 +106,12 @@ struct DistanceResolver {
     }
 };
 
-// Reports a name that is not a cloud volume's (E0133), a channel that the volume does not have
-// (E0134), two contents (E0129), other contents than the distance in the first channel and a range
-// without 0 (E0175), texels that do not tile as the volume does (E0150), levels (E0110), and faults
-// of the files of any volume (file_decoder.h). It warns of texels that are not cubes (W0211).
+// Reports two contents (E0129), other contents than the distance in the first channel and a range
+// without 0 (E0175), texels that do not tile as the volume does (E0150), levels (E0110), and what
+// resolve_cells reports.
 void resolve_distance(DecodedSection& bake, const RecipeSoFar& recipe, Decoder& decoder) {
-    const DistanceResolver resolver{bake, recipe, decoder};
-    check_pixel_type(bake, decoder);
-    refuse_blocks(bake, "cloud_distance, whose distances must not grow", decoder);
-    const std::size_t contents = resolver.check_contents();
-    resolver.check_range();
-    const CloudVolumeBake* volume = find_source_volume(bake, recipe, decoder);
-    if (!volume) return;
-    check_source_channel(bake, *volume, recipe, decoder);
-    const DecodedField& cell = bake.at("cell");
-    if (!cell.value || volume->size[0] == 0) return;
-    const int edge = static_cast<int>(std::get<double>(*cell.value));
-    const VoxelCounts texels = cells_of(*volume, edge);
-    resolve_files(bake, texels, Halving::up, decoder);
-    resolver.check_levels();
-    resolver.check_tiling(*volume, edge);
-    check_cell_cubes(bake, *volume, edge, recipe, decoder);
-    check_voxel_count(bake, texels, contents, bake.at("of").source->place, decoder);
+    resolve_cells(DistanceResolver{bake, recipe, decoder},
+                  "cloud_distance, whose distances must not grow");
 }
 
 }  // namespace

@@ -12,7 +12,6 @@
 #include "config/assets/source_volume.h"
 #include "config/fields/fields.h"
 #include "config/fields/section_decoder.h"
-#include "config/sections/parameters.h"
 
 namespace skybake::config {
 namespace {
@@ -94,7 +93,7 @@ struct OccupancyResolver {
     // If a level has an odd number of cells, the next level has half of it, rounded up, and spans
     // more than the level before. Then one texture coordinate does not fit both levels.
     // "all" is as many levels as there are before that.
-    void check_halving(const VoxelCounts& cells) const {
+    void check_cells(const VoxelCounts& cells) const {
         DecodedField& mips = bake.at("mips");
         if (!mips.value) return;
         if (std::get<double>(*mips.value) == 0) mips.value = double{1} * most_levels(cells);
@@ -114,27 +113,11 @@ struct OccupancyResolver {
     }
 };
 
-// Fills in the number of `mips`. It reports a name that is not a cloud volume's (E0133), a channel
-// that the volume does not have (E0134), two contents (E0129), cells that do not tile as the volume
-// does (E0150), and faults of the files of any volume (file_decoder.h). It warns of cells that are
-// not cubes (W0211).
+// Fills in the number of `mips`. It reports two contents (E0129), cells that do not tile as the volume
+// does (E0150), and what resolve_cells reports.
 void resolve_occupancy(DecodedSection& bake, const RecipeSoFar& recipe, Decoder& decoder) {
-    const OccupancyResolver resolver{bake, recipe, decoder};
-    check_pixel_type(bake, decoder);
-    refuse_blocks(bake, "occupancy, whose empty cells must stay empty", decoder);
-    const std::size_t contents = resolver.check_contents();
-    const CloudVolumeBake* volume = find_source_volume(bake, recipe, decoder);
-    if (!volume) return;
-    check_source_channel(bake, *volume, recipe, decoder);
-    const DecodedField& cell = bake.at("cell");
-    if (!cell.value || volume->size[0] == 0) return;
-    const int edge = static_cast<int>(std::get<double>(*cell.value));
-    const VoxelCounts cells = cells_of(*volume, edge);
-    resolver.check_halving(cells);
-    resolve_files(bake, cells, Halving::up, decoder);
-    resolver.check_tiling(*volume, edge);
-    check_cell_cubes(bake, *volume, edge, recipe, decoder);
-    check_voxel_count(bake, cells, contents, bake.at("of").source->place, decoder);
+    resolve_cells(OccupancyResolver{bake, recipe, decoder},
+                  "occupancy, whose empty cells must stay empty");
 }
 
 }  // namespace

@@ -55,6 +55,33 @@ void report_untiled(const DecodedSection& bake, const CloudVolumeBake& volume, i
 void check_cell_cubes(const DecodedSection& bake, const CloudVolumeBake& volume, int cell,
                       const RecipeSoFar& recipe, Decoder& decoder);
 
+// Resolves an asset whose texels are cells of `cell` voxels of a cloud volume. The resolver has the
+// section as `bake`, `recipe` and `decoder`. Its check_contents() returns the number of channels,
+// check_cells(cells) is called before the files are resolved and check_tiling(volume, cell) after that.
+// `refused` says of which assets blocks are refused, and why. It reports a name that is not a cloud
+// volume's (E0133), a channel that the volume does not have (E0134), and faults of the files of any
+// volume (file_decoder.h), and warns of cells that are not cubes (W0211).
+template <class Resolver>
+void resolve_cells(const Resolver& resolver, const std::string& refused) {
+    DecodedSection& bake = resolver.bake;
+    Decoder& decoder = resolver.decoder;
+    check_pixel_type(bake, decoder);
+    refuse_blocks(bake, refused, decoder);
+    const std::size_t contents = resolver.check_contents();
+    const CloudVolumeBake* volume = find_source_volume(bake, resolver.recipe, decoder);
+    if (!volume) return;
+    check_source_channel(bake, *volume, resolver.recipe, decoder);
+    const DecodedField& decoded = bake.at("cell");
+    if (!decoded.value || volume->size[0] == 0) return;
+    const int cell = static_cast<int>(std::get<double>(*decoded.value));
+    const VoxelCounts cells = cells_of(*volume, cell);
+    resolver.check_cells(cells);
+    resolve_files(bake, cells, Halving::up, decoder);
+    resolver.check_tiling(*volume, cell);
+    check_cell_cubes(bake, *volume, cell, resolver.recipe, decoder);
+    check_voxel_count(bake, cells, contents, bake.at("of").source->place, decoder);
+}
+
 // Lists the values of the cloud volume and of its cloud. Those of the volume's files are left out,
 // unless the files that it has by default cannot hold its type of numbers: then the list would be no
 // valid recipe.

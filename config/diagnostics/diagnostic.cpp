@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <string_view>
-#include <tuple>
 #include <utility>
 
 #include "config/text/key_path.h"
@@ -33,10 +32,6 @@ std::string_view line_of(std::string_view text, int line) {
     text = text.substr(0, text.find('\n'));
     if (!text.empty() && text.back() == '\r') text.remove_suffix(1);
     return text;
-}
-
-auto reading_order(const Place& place) {
-    return std::make_tuple(place.source ? place.source->order : -1, place.line, place.column);
 }
 
 }  // namespace

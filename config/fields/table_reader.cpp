@@ -9,6 +9,7 @@
 #include "config/fields/key.h"
 #include "config/fields/number_reader.h"
 #include "config/text/key_path.h"
+#include "config/text/mapped.h"
 #include "config/text/quantity.h"
 #include "config/text/units.h"
 
@@ -134,18 +135,36 @@ const Array* entry_items(const Reader& reader, const Value& value, std::size_t c
     return nullptr;
 }
 
-// Returns the entries of a list that must not be empty, or null, which is
-// reported.
-const Array* entries_of(const Reader& reader, const Value& value) {
+// Reads a list that must not be empty. `fits(before, entry, value)` reports an entry that does not
+// go with those before it, and returns whether it does.
+template <class T, class ReadEntry, class Fits>
+std::optional<FieldValue> read_entries(const Reader& reader, const Value& value,
+                                       const ReadEntry& read, const Fits& fits) {
     const auto* array = std::get_if<Array>(&value.data);
     if (!array) {
         report_type(reader, value, reader.field.kind.words);
-        return nullptr;
+        return std::nullopt;
     }
-    if (!array->empty()) return array;
-    reader.error("E0114", value, fmt::format("`{}` has no entries", reader.path),
-                 fmt::format("give {}", reader.field.kind.words));
-    return nullptr;
+    if (array->empty()) {
+        reader.error("E0114", value, fmt::format("`{}` has no entries", reader.path),
+                     fmt::format("give {}", reader.field.kind.words));
+        return std::nullopt;
+    }
+    std::vector<T> list;
+    bool valid = true;
+    for (const Value& entry : *array) {
+        std::optional<T> one = read(reader, entry);
+        valid = (!one || fits(list, *one, entry)) && one && valid;
+        if (one) list.push_back(std::move(*one));
+    }
+    if (!valid) return std::nullopt;
+    return list;
+}
+
+template <class Point>
+std::optional<FieldValue> points_of(const std::optional<std::vector<Pair>>& pairs) {
+    if (!pairs) return std::nullopt;
+    return mapped<Point>(*pairs, [](const Pair& pair) { return Point{{pair[0]}, pair[1]}; });
 }
 
 std::optional<double> read_item(const Reader& reader, const Field& field, const Value& value) {
@@ -179,19 +198,11 @@ std::optional<ComponentNumber> read_component(const Reader& reader, const Value&
 }  // namespace
 
 std::optional<FieldValue> read_density_table(const Reader& reader, const Value& value) {
-    const auto pairs = read_table(reader, density_columns, value);
-    if (!pairs) return std::nullopt;
-    std::vector<DensityPoint> table;
-    for (const Pair& pair : *pairs) table.push_back({{pair[0]}, pair[1]});
-    return table;
+    return points_of<DensityPoint>(read_table(reader, density_columns, value));
 }
 
 std::optional<FieldValue> read_height_table(const Reader& reader, const Value& value) {
-    const auto pairs = read_table(reader, height_columns, value);
-    if (!pairs) return std::nullopt;
-    std::vector<HeightPoint> table;
-    for (const Pair& pair : *pairs) table.push_back({pair[0], pair[1]});
-    return table;
+    return points_of<HeightPoint>(read_table(reader, height_columns, value));
 }
 
 std::optional<FieldValue> read_albedo(const Reader& reader, const Value& value) {
@@ -204,57 +215,40 @@ std::optional<FieldValue> read_albedo(const Reader& reader, const Value& value) 
     const bool nested =
         array && !array->empty() && std::holds_alternative<Array>(array->front().data);
     if (!nested) return read_channels(reader, value);
-    const auto pairs = read_table(reader, spectrum_columns, value);
-    if (!pairs) return std::nullopt;
-    std::vector<SpectrumPoint> spectrum;
-    for (const Pair& pair : *pairs) spectrum.push_back({{pair[0]}, pair[1]});
-    return spectrum;
+    return points_of<SpectrumPoint>(read_table(reader, spectrum_columns, value));
 }
 
 std::optional<FieldValue> read_index_table(const Reader& reader, const Value& value) {
-    const Array* entries = entries_of(reader, value);
-    if (!entries) return std::nullopt;
-    std::vector<IndexPoint> table;
-    bool valid = true;
-    for (const Value& entry : *entries) {
-        const std::optional<IndexPoint> point = read_index(reader, entry);
-        valid = valid && point;
-        if (!point) continue;
-        const double before = table.empty() ? 0 : table.back().wavelength.meters;
-        if (point->wavelength.meters <= before) {
+    return read_entries<IndexPoint>(
+        reader, value, read_index,
+        [&](const std::vector<IndexPoint>& table, const IndexPoint& point, const Value& entry) {
+            const double before = table.empty() ? 0 : table.back().wavelength.meters;
+            if (point.wavelength.meters > before) return true;
             reader.error("E0114", entry,
                          fmt::format("`{}` has wavelengths that do not increase: {} after {}",
-                                     reader.path, wavelength_to_string(point->wavelength.meters),
+                                     reader.path, wavelength_to_string(point.wavelength.meters),
                                      wavelength_to_string(before)),
                          "sort the entries by wavelength and give each one once");
-            valid = false;
-        }
-        table.push_back(*point);
-    }
-    if (!valid) return std::nullopt;
-    return table;
+            return false;
+        });
 }
 
 std::optional<FieldValue> read_components(const Reader& reader, const Value& value) {
-    const Array* entries = entries_of(reader, value);
-    if (!entries) return std::nullopt;
-    std::vector<ComponentNumber> list;
-    bool valid = true;
-    for (const Value& entry : *entries) {
-        std::optional<ComponentNumber> one = read_component(reader, entry);
-        valid = valid && one;
-        if (!one) continue;
-        for (const ComponentNumber& earlier : list) {
-            if (earlier.component != one->component) continue;
-            reader.error("E0114", entry,
-                         fmt::format("`{}` names {} twice", reader.path, shorten(one->component)),
-                         "give its numbers together");
-            valid = false;
-        }
-        list.push_back(std::move(*one));
-    }
-    if (!valid) return std::nullopt;
-    return list;
+    return read_entries<ComponentNumber>(
+        reader, value, read_component,
+        [&](const std::vector<ComponentNumber>& list, const ComponentNumber& one,
+            const Value& entry) {
+            bool is_new = true;
+            for (const ComponentNumber& earlier : list) {
+                if (earlier.component != one.component) continue;
+                reader.error(
+                    "E0114", entry,
+                    fmt::format("`{}` names {} twice", reader.path, shorten(one.component)),
+                    "give its numbers together");
+                is_new = false;
+            }
+            return is_new;
+        });
 }
 
 }  // namespace skybake::config

@@ -1,4 +1,4 @@
-#include "config/recipe/named_bakes.h"
+#include "config/recipe/recipe_decoder.h"
 
 #include <fmt/format.h>
 

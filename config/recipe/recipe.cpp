@@ -10,7 +10,6 @@
 #include "config/assets/cloud_volume.h"
 #include "config/diagnostics/toml_source.h"
 #include "config/recipe/merge.h"
-#include "config/recipe/named_bakes.h"
 #include "config/recipe/recipe_decoder.h"
 #include "config/recipe/recipe_sources.h"
 #include "config/sections/volume.h"

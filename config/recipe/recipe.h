@@ -10,7 +10,6 @@
 
 #include "config/diagnostics/diagnostic.h"
 #include "config/fields/roles.h"
-#include "config/recipe/sweep_options.h"
 #include "config/sections/parameters.h"
 #include "config/sweep/sweep.h"
 
@@ -33,6 +32,13 @@ Outcome<Recipe> load_recipe(const std::filesystem::path& path,
 Outcome<Recipe> parse_recipe(std::string_view text, const std::string& name,
                              const std::filesystem::path& folder = {},
                              std::span<const std::string> settings = {});
+
+// The command line of `skybake sweep` says this of the values that vary.
+struct SweepOptions {
+    std::vector<std::string> vary;     // "a.b=0.2:0.8:4", "a.b=1:100:3:log", "a.b=1,2,3"
+    std::vector<std::string> zip;      // "a.b,c.d"
+    std::optional<std::string> sobol;  // "64"
+};
 
 // Reads what a recipe's [sweep] and the options of the command line vary. Other faults of the
 // recipe are not reported here; they are found when the variants are read.

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "config/assets/asset_kind.h"
-#include "config/assets/multiple_scattering.h"
 #include "config/diagnostics/toml_source.h"
 #include "config/fields/fields.h"
 #include "config/fields/wavelength_reader.h"

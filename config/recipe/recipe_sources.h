@@ -14,6 +14,8 @@
 
 namespace skybake::config {
 
+struct SweepOptions;
+
 struct SourceTree {
     const Source* source = nullptr;
     Table root;
@@ -51,5 +53,10 @@ void add_setting_tree(RecipeSources& sources, const Source& source, Table root);
 // read, and E0114 for one that holds no such table.
 void read_table_files(Table& root, const std::filesystem::path& folder,
                       std::vector<std::filesystem::path>& inputs, DiagnosticList& diagnostics);
+
+// Lays the options over a recipe's own [sweep], each option as a separate source. An entry replaces
+// the one of the same path. Malformed options are reported (E0122).
+void add_sweep_options(const SweepOptions& options, RecipeSources& sources,
+                       DiagnosticList& diagnostics);
 
 }  // namespace skybake::config

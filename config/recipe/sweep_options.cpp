@@ -1,11 +1,11 @@
-#include "config/recipe/sweep_options.h"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 
 #include "config/diagnostics/toml_source.h"
+#include "config/recipe/recipe.h"
+#include "config/recipe/recipe_sources.h"
 #include "config/sections/particles.h"
 #include "config/text/key_path.h"
 #include "config/text/text.h"

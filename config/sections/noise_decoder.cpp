@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <tuple>
 
 #include "config/text/key_path.h"
 #include "config/text/text.h"
@@ -104,12 +103,8 @@ std::string set_of(const std::vector<const Entry*>& entries) {
 // Returns the place of the channel that was added last. It is not in a preset if any channel is
 // outside one.
 Place latest_place(const std::vector<const Entry*>& entries) {
-    const auto order = [](const Entry* entry) {
-        const Place& place = entry->key_place;
-        return std::make_tuple(place.source ? place.source->order : -1, place.line, place.column);
-    };
-    const auto earlier = [&](const Entry* a, const Entry* b) { return order(a) < order(b); };
-    return (*std::ranges::max_element(entries, earlier))->key_place;
+    const auto order = [](const Entry* entry) { return reading_order(entry->key_place); };
+    return (*std::ranges::max_element(entries, {}, order))->key_place;
 }
 
 void report_set(const std::string& set, const std::string& path, const Place& place,

@@ -70,30 +70,6 @@ struct VolumeDecoder {
     }
 };
 
-}  // namespace
-
-void set_volume_probe(VolumeProbe probe) { the_probe = probe; }
-
-VolumeProbe volume_probe() { return the_probe; }
-
-VolumeFile decode_volume(const std::string& name, const Place& place, const Table& table,
-                         Place& file_place, Decoder& decoder) {
-    const std::string path = join_path("volumes", name);
-    VolumeFile volume;
-    volume.name = name;
-    const DecodedSection section =
-        decode_section(*find_section("volumes.*"), path, place, table, Absent::filled_in, decoder);
-    append_values(section, decoder);
-    bind_section(section, volume_fields(), volume);
-    const VolumeDecoder reader{section, volume, decoder};
-    reader.resolve_path();
-    reader.check_keys();
-    file_place = section.place_of("file");
-    return volume;
-}
-
-namespace {
-
 constexpr Range volume_voxels_range{1, 16384};
 constexpr Range volume_index_range{-1e6, 1e6};
 constexpr Range volume_byte_range{0, 2147483647};
@@ -194,6 +170,26 @@ const VolumeField volume_table[] = {
 };
 
 }  // namespace
+
+void set_volume_probe(VolumeProbe probe) { the_probe = probe; }
+
+VolumeProbe volume_probe() { return the_probe; }
+
+VolumeFile decode_volume(const std::string& name, const Place& place, const Table& table,
+                         Place& file_place, Decoder& decoder) {
+    const std::string path = join_path("volumes", name);
+    VolumeFile volume;
+    volume.name = name;
+    const DecodedSection section =
+        decode_section(*find_section("volumes.*"), path, place, table, Absent::filled_in, decoder);
+    append_values(section, decoder);
+    bind_section(section, volume_fields(), volume);
+    const VolumeDecoder reader{section, volume, decoder};
+    reader.resolve_path();
+    reader.check_keys();
+    file_place = section.place_of("file");
+    return volume;
+}
 
 std::span<const VolumeField> volume_fields() { return volume_table; }
 

@@ -7,32 +7,6 @@
 namespace skybake::config {
 namespace {
 
-// The initial direction numbers are the first rows of `new-joe-kuo-6.21201`
-// (https://web.maths.unsw.edu.au/~fkuo/sobol), whose licence asks for this notice:
-//
-// Copyright (c) 2008, Frances Y. Kuo and Stephen Joe
-// All rights reserved.
-//
-// Redistribution and use in source and binary forms, with or without modification, are permitted
-// provided that the following conditions are met:
-//
-//   * Redistributions of source code must retain the above copyright notice, this list of
-//     conditions and the following disclaimer.
-//   * Redistributions in binary form must reproduce the above copyright notice, this list of
-//     conditions and the following disclaimer in the documentation and/or other materials provided
-//     with the distribution.
-//   * Neither the names of the copyright holders nor the names of the University of New South Wales
-//     and the University of Waikato and its contributors may be used to endorse or promote products
-//     derived from this software without specific prior written permission.
-//
-// THIS SOFTWARE IS PROVIDED BY THE COPYRIGHT HOLDERS ``AS IS'' AND ANY EXPRESS OR IMPLIED
-// WARRANTIES, INCLUDING, BUT NOT LIMITED TO, THE IMPLIED WARRANTIES OF MERCHANTABILITY AND FITNESS
-// FOR A PARTICULAR PURPOSE ARE DISCLAIMED. IN NO EVENT SHALL THE COPYRIGHT HOLDERS BE LIABLE FOR
-// ANY DIRECT, INDIRECT, INCIDENTAL, SPECIAL, EXEMPLARY, OR CONSEQUENTIAL DAMAGES (INCLUDING, BUT
-// NOT LIMITED TO, PROCUREMENT OF SUBSTITUTE GOODS OR SERVICES; LOSS OF USE, DATA, OR PROFITS; OR
-// BUSINESS INTERRUPTION) HOWEVER CAUSED AND ON ANY THEORY OF LIABILITY, WHETHER IN CONTRACT, STRICT
-// LIABILITY, OR TORT (INCLUDING NEGLIGENCE OR OTHERWISE) ARISING IN ANY WAY OUT OF THE USE OF THIS
-// SOFTWARE, EVEN IF ADVISED OF THE POSSIBILITY OF SUCH DAMAGE.
 constexpr int bits = 32;
 
 using DirectionNumbers = std::array<std::uint32_t, bits>;
@@ -46,21 +20,7 @@ struct Polynomial {
 };
 
 constexpr std::array<Polynomial, sobol_dimensions - 1> polynomials = {{
-    {1, 0, {1}},
-    {2, 1, {1, 3}},
-    {3, 1, {1, 3, 1}},
-    {3, 2, {1, 1, 1}},
-    {4, 1, {1, 1, 3, 3}},
-    {4, 4, {1, 3, 5, 13}},
-    {5, 2, {1, 1, 5, 5, 17}},
-    {5, 4, {1, 1, 5, 5, 5}},
-    {5, 7, {1, 1, 7, 11, 19}},
-    {5, 11, {1, 1, 5, 1, 1}},
-    {5, 13, {1, 1, 1, 3, 11}},
-    {5, 14, {1, 3, 5, 5, 31}},
-    {6, 1, {1, 3, 3, 9, 7, 49}},
-    {6, 13, {1, 1, 1, 15, 21, 21}},
-    {6, 16, {1, 3, 1, 13, 27, 49}},
+#include "config/sweep/sobol_polynomials.inc"
 }};
 
 // Returns v_i = m_i 2^(32 - i). The code states the recurrence of the m_i, which the polynomial

@@ -156,6 +156,19 @@ std::string lower_case(std::string_view text) {
     return lower;
 }
 
+std::string replaced(std::string_view text,
+                     std::initializer_list<std::pair<char, std::string_view>> signs) {
+    std::string result;
+    for (const char sign : text) {
+        std::string_view written(&sign, 1);
+        for (const auto& [from, to] : signs) {
+            if (from == sign) written = to;
+        }
+        result += written;
+    }
+    return result;
+}
+
 std::size_t find_equals(std::string_view setting) {
     bool quoted = false;
     for (std::size_t i = 0; i < setting.size(); ++i) {

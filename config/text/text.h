@@ -4,10 +4,12 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <initializer_list>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -26,6 +28,10 @@ std::string_view trim(std::string_view text);
 
 // Returns the text with the letters A to Z in lower case, in any locale.
 std::string lower_case(std::string_view text);
+
+// Returns a text in which each of the given characters is replaced.
+std::string replaced(std::string_view text,
+                     std::initializer_list<std::pair<char, std::string_view>> signs);
 
 // Returns the position of the '=' between key and value. A '=' within the quotes of a name does not
 // count. Returns npos if there is none.

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <variant>
 #include <vector>
 
@@ -29,6 +30,11 @@ struct Place {
     int column = 0;
     int length = 0;
 };
+
+// Returns what sorts places as people read them: by source, line and column.
+inline auto reading_order(const Place& place) {
+    return std::tuple(place.source ? place.source->order : -1, place.line, place.column);
+}
 
 struct Value;
 struct Entry;

@@ -20,9 +20,9 @@ MOST_TEST_UNITS = 34
 SECTIONS = ("noise", "cloud", "layer", "volume", "files")
 MOST_SECTION_UNITS = 170
 # A change that adds a feature gives as many lines back. Lower these where lines were saved.
-MOST_PRODUCT_LINES = 133_432
-MOST_TEST_LINES = 75_297
-MOST_HELPER_LINES = 19_372
+MOST_PRODUCT_LINES = 132_819
+MOST_TEST_LINES = 75_115
+MOST_HELPER_LINES = 19_254
 
 
 def sources(*rooms):

@@ -39,8 +39,6 @@ enum class StepRule {
     end_point,
     // In its middle. Second order.
     midpoint,
-    // The mean of its two ends: Bruneton & Neyret 2008, n = 500. Second order.
-    trapezoid,
 };
 
 constexpr double kSampleInStep = 0.3;  // SampleSegmentT in the sample of Hillaire 2020
@@ -105,11 +103,6 @@ Spectrum optical_depth_by_steps(const Medium& medium, double altitude_km, double
         }
         case StepRule::midpoint:
             for (int i = 0; i < steps; ++i) ray.add(step * (i + 0.5), step);
-            break;
-        case StepRule::trapezoid:
-            for (int i = 0; i <= steps; ++i) {
-                ray.add(step * i, i == 0 || i == steps ? step / 2 : step);
-            }
             break;
     }
     return ray.depth();

@@ -13,9 +13,10 @@
 
 #include "bakers/math/parallel.h"
 #include "bakers/noise/noise_field.h"
-#include "bakers/noise/pointwise_kernel.h"
+#include "bakers/noise/scattered_kernel.h"
 #include "config/recipe/recipe.h"
 #include "tests/benchmarks/run.h"
+#include "tests/support/every_target.h"
 
 namespace skybake::noise {
 namespace {
@@ -86,11 +87,7 @@ void fill(benchmark::State& state, const NoisePlan& plan, int size, int octaves)
 // The same kernels held to one instruction set.
 void fill_on(benchmark::State& state, std::int64_t target, const NoisePlan& plan, int size,
              int octaves) {
-    hwy::SetSupportedTargetsForTest(target);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-    fill(state, plan, size, octaves);
-    hwy::SetSupportedTargetsForTest(0);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    test::on_target(target, [&] { fill(state, plan, size, octaves); });
 }
 
 void perlin_pointwise(benchmark::State& state, int size, int octaves) {

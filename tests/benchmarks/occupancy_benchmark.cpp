@@ -20,6 +20,7 @@
 #include "bakers/occupancy/occupied_cells.h"
 #include "config/assets/occupancy_filter.h"
 #include "tests/benchmarks/run.h"
+#include "tests/support/every_target.h"
 
 namespace skybake::occupancy {
 namespace {
@@ -67,11 +68,7 @@ void ranges_of_layer(benchmark::State& state, int size) {
 }
 
 void ranges_on(benchmark::State& state, std::int64_t target, int size) {
-    hwy::SetSupportedTargetsForTest(target);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-    ranges(state, OccupancyFilter::trilinear, size, 4);
-    hwy::SetSupportedTargetsForTest(0);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    test::on_target(target, [&] { ranges(state, OccupancyFilter::trilinear, size, 4); });
 }
 
 // The time of reading alone.

@@ -12,6 +12,7 @@
 #include "bakers/preview/pictures/sky_reference.h"
 #include "bakers/render/sky_view.h"
 #include "config/recipe/recipe.h"
+#include "tests/support/every_target.h"
 
 namespace skybake {
 namespace {
@@ -68,13 +69,11 @@ void sky_dome(benchmark::State& state) {
 void sky_dome_on(benchmark::State& state, std::int64_t target) {
     const SkyView view = dome(512, 10);
     earth();
-    hwy::SetSupportedTargetsForTest(target);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-    for (auto _ : state) {
-        benchmark::DoNotOptimize(render_sky(earth().medium, earth().tables, view, 1));
-    }
-    hwy::SetSupportedTargetsForTest(0);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    test::on_target(target, [&] {
+        for (auto _ : state) {
+            benchmark::DoNotOptimize(render_sky(earth().medium, earth().tables, view, 1));
+        }
+    });
 }
 
 void sky_by_direct_integration(benchmark::State& state) {

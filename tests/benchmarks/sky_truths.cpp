@@ -91,54 +91,33 @@ const std::vector<Scenario>& scenarios() {
     return all;
 }
 
-std::vector<SkyTruthDirection> dome_directions() {
-    std::vector<SkyTruthDirection> directions;
-    for (const double sun : {45., 89.}) {
-        directions.push_back({kAltitudeKm, sun, 0, 0});
-        for (const double view : {10., 20., 30., 40., 50., 60., 70., 80., 85., 88., 89.5}) {
-            for (const double azimuth : {0., 15., 30., 60., 90., 120., 150., 180.}) {
-                directions.push_back({kAltitudeKm, sun, view, azimuth});
-            }
-        }
-    }
-    return directions;
-}
-
-std::vector<SkyTruthDirection> near_ground_directions() {
-    std::vector<SkyTruthDirection> directions;
-    for (const double sun : {30., 80., 89.}) {
-        for (const double view :
-             {10., 30., 45., 60., 70., 75., 80., 83., 85., 87., 88., 89., 89.3}) {
-            for (const double azimuth : {0., 60., 180.}) {
-                directions.push_back({0.05, sun, view, azimuth});
-            }
-        }
-    }
-    return directions;
-}
-
 // Views as low as 1, 2.5 and 5 degrees below the horizontal do not meet the ground. Away from suns
 // at 98 degrees and more the sky is all but black.
 std::vector<SkyTruthDirection> twilight_directions() {
     std::vector<SkyTruthDirection> directions;
     for (const double altitude_km : {5., 20., 80.}) {
         const double lowest_view = altitude_km < 10 ? 91 : altitude_km < 50 ? 92.5 : 95;
-        for (const double sun : {92., 94., 96., 97., 98., 99.}) {
-            for (const double view : {0., 70., 85., 89., lowest_view}) {
-                for (const double azimuth : {0., 90., 180.}) {
-                    if (azimuth > 0 && view == 0) continue;
-                    if (azimuth > 90 && sun > 97) continue;
-                    directions.push_back({altitude_km, sun, view, azimuth});
-                }
-            }
-        }
+        const auto more = sky_truth_directions(altitude_km, {92, 94, 96, 97, 98, 99},
+                                               {0, 70, 85, 89, lowest_view}, {0, 90, 180});
+        directions.insert(directions.end(), more.begin(), more.end());
     }
+    std::erase_if(directions, [](const SkyTruthDirection& at) {
+        return at.azimuth_degrees > 90 && at.sun_zenith_degrees > 97;
+    });
     return directions;
 }
 
 std::vector<SkyTruthDirection> directions_of(const Scenario& scenario) {
-    if (scenario.suns == Scenario::Suns::three_near_ground) return near_ground_directions();
-    if (scenario.suns == Scenario::Suns::two_domes) return dome_directions();
+    if (scenario.suns == Scenario::Suns::three_near_ground) {
+        return sky_truth_directions(0.05, {30, 80, 89},
+                                    {10, 30, 45, 60, 70, 75, 80, 83, 85, 87, 88, 89, 89.3},
+                                    {0, 60, 180});
+    }
+    if (scenario.suns == Scenario::Suns::two_domes) {
+        return sky_truth_directions(kAltitudeKm, {45, 89},
+                                    {0, 10, 20, 30, 40, 50, 60, 70, 80, 85, 88, 89.5},
+                                    {0, 15, 30, 60, 90, 120, 150, 180});
+    }
     if (scenario.suns == Scenario::Suns::twilight_from_high) return twilight_directions();
     std::vector<SkyTruthDirection> directions = sky_truth_directions(kAltitudeKm);
     if (scenario.suns == Scenario::Suns::to_the_horizon) {

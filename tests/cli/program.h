@@ -60,24 +60,36 @@ class RecipeTest : public ::testing::Test {
     std::string out_ = (folder_ / "out").string();
 };
 
-// The real program. `prepare` runs in the child before it starts. Exit code -1: killed by a signal.
-inline Result run_program(
-    std::vector<std::string> words, const std::function<void()>& prepare = [] {}) {
-    const TemporaryFolder folder;
-    const std::string out = (folder / "out").string();
-    const std::string error = (folder / "error").string();
+// Starts the real program in a child, in which `prepare` runs before.
+inline pid_t start_program(std::vector<std::string> words, const std::function<void()>& prepare) {
     words.insert(words.begin(), SKYBAKE_PROGRAM);
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
     const pid_t child = ::fork();
     if (child == 0) {
-        ::dup2(::open(out.c_str(), O_WRONLY | O_CREAT, 0600), STDOUT_FILENO);
-        ::dup2(::open(error.c_str(), O_WRONLY | O_CREAT, 0600), STDERR_FILENO);
         prepare();
         ::execv(SKYBAKE_PROGRAM, arguments.data());
         ::_exit(126);
     }
+    return child;
+}
+
+inline void write_stream_to(int stream, const std::string& file) {
+    ::dup2(::open(file.c_str(), O_WRONLY | O_CREAT, 0600), stream);
+}
+
+// The real program. `prepare` runs in the child before it starts. Exit code -1: killed by a signal.
+inline Result run_program(
+    const std::vector<std::string>& words, const std::function<void()>& prepare = [] {}) {
+    const TemporaryFolder folder;
+    const std::string out = (folder / "out").string();
+    const std::string error = (folder / "error").string();
+    const pid_t child = start_program(words, [&] {
+        write_stream_to(STDOUT_FILENO, out);
+        write_stream_to(STDERR_FILENO, error);
+        prepare();
+    });
     int status = 0;
     ::waitpid(child, &status, 0);
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_bytes(out), read_bytes(error)};
@@ -88,20 +100,14 @@ inline Result run_program(
 // are the same ones. Killed with its handle.
 class RunningProgram {
   public:
-    explicit RunningProgram(std::vector<std::string> words) {
-        words.insert(words.begin(), SKYBAKE_PROGRAM);
-        std::vector<char*> arguments;
-        for (std::string& word : words) arguments.push_back(word.data());
-        arguments.push_back(nullptr);
+    explicit RunningProgram(const std::vector<std::string>& words,
+                            const std::string& error = "/dev/null") {
         int ends[2] = {-1, -1};
         EXPECT_EQ(::pipe2(ends, O_CLOEXEC), 0);
-        child_ = ::fork();
-        if (child_ == 0) {
+        child_ = start_program(words, [&] {
             ::dup2(ends[1], STDOUT_FILENO);
-            ::dup2(::open("/dev/null", O_WRONLY), STDERR_FILENO);
-            ::execv(SKYBAKE_PROGRAM, arguments.data());
-            ::_exit(126);
-        }
+            write_stream_to(STDERR_FILENO, error);
+        });
         ::close(ends[1]);
         out_ = ends[0];
     }
@@ -139,12 +145,13 @@ class RunningProgram {
         return code_ = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     }
 
-  private:
     bool has_ended() const {
         siginfo_t info{};
         ::waitid(P_PID, static_cast<id_t>(child_), &info, WEXITED | WNOHANG | WNOWAIT);
         return info.si_pid != 0;
     }
+
+  private:
     double seconds_used() const {
         clockid_t clock = 0;
         timespec used{};

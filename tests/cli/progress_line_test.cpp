@@ -50,31 +50,31 @@ void wait_until(const std::function<bool()>& holds) {
     ASSERT_TRUE(holds());
 }
 
-// The clock ticks although the work says nothing.
-TEST(ProgressLine, IsToldAgainWithoutNews) {
+// Returns what stands on a screen after a line was asked for at least so often: "line 1", "line 2".
+std::string lines_told(bool terminal, int least, int& times) {
     Screen screen;
-    Console console(nowhere(), screen.sink(false), {});
+    Console console(nowhere(), screen.sink(terminal), {});
     std::atomic<int> asked = 0;
     {
         const ProgressLine line(
             console, [&] { return "line " + std::to_string(++asked); }, milliseconds(1));
-        wait_until([&] { return asked > 3; });
+        wait_until([&] { return asked >= least; });
     }
-    const std::string text = screen.text();
+    times = asked;
+    return screen.text();
+}
+
+// The clock ticks although the work says nothing.
+TEST(ProgressLine, IsToldAgainWithoutNews) {
+    int asked = 0;
+    const std::string text = lines_told(false, 4, asked);
     EXPECT_TRUE(text.starts_with("line 1\nline 2\nline 3\n")) << text;
     EXPECT_EQ(count_lines(text), asked);
 }
 
 TEST(ProgressLine, IsRewrittenOnATerminalAndTakenAway) {
-    Screen screen;
-    Console console(nowhere(), screen.sink(true), {});
-    std::atomic<int> asked = 0;
-    {
-        const ProgressLine line(
-            console, [&] { return "line " + std::to_string(++asked); }, milliseconds(1));
-        wait_until([&] { return asked > 2; });
-    }
-    const std::string text = screen.text();
+    int asked = 0;
+    const std::string text = lines_told(true, 3, asked);
     EXPECT_TRUE(text.starts_with("\r\033[K  line 1\r\033[K  line 2")) << text;
     EXPECT_TRUE(text.ends_with("\r\033[K")) << text;
     EXPECT_EQ(count_lines(text), 0);

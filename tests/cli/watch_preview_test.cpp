@@ -16,30 +16,12 @@ class Watcher {
   public:
     Watcher(const TemporaryFolder& folder, const std::string& recipe,
             const std::vector<std::string>& options = {})
-        : out_((folder / "out").string()) {
-        std::vector<std::string> words = {SKYBAKE_PROGRAM, "preview", recipe,
-                                          "--watch",       "-o",      out_};
-        words.insert(words.end(), options.begin(), options.end());
-        std::vector<char*> arguments;
-        for (std::string& word : words) arguments.push_back(word.data());
-        arguments.push_back(nullptr);
-        child_ = ::fork();
-        if (child_ != 0) return;
-        ::dup2(::open("/dev/null", O_WRONLY), STDOUT_FILENO);
-        ::dup2(::open((folder / "error").c_str(), O_WRONLY | O_CREAT, 0600), STDERR_FILENO);
-        ::execv(SKYBAKE_PROGRAM, arguments.data());
-        ::_exit(126);
-    }
-    ~Watcher() {
-        if (child_ > 0) stop(SIGKILL);
-    }
+        : out_((folder / "out").string()),
+          program_(words(recipe, out_, options), (folder / "error").string()) {}
 
     int stop(int signal) {
-        ::kill(child_, signal);
-        int status = 0;
-        ::waitpid(child_, &status, 0);
-        child_ = -1;
-        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+        program_.signal(signal);
+        return program_.wait();
     }
 
     json state() const {
@@ -49,9 +31,8 @@ class Watcher {
     }
     // Waits for it as long as the program runs; false where that has ended without.
     bool becomes_true(const std::function<bool()>& holds) const {
-        for (siginfo_t info{}; !holds(); ::usleep(5000)) {
-            ::waitid(P_PID, static_cast<id_t>(child_), &info, WEXITED | WNOHANG | WNOWAIT);
-            if (info.si_pid != 0) return holds();
+        for (; !holds(); ::usleep(5000)) {
+            if (program_.has_ended()) return holds();
         }
         return true;
     }
@@ -68,8 +49,15 @@ class Watcher {
     const std::string& out() const { return out_; }
 
   private:
+    static std::vector<std::string> words(const std::string& recipe, const std::string& out,
+                                          const std::vector<std::string>& options) {
+        std::vector<std::string> all = {"preview", recipe, "--watch", "-o", out};
+        all.insert(all.end(), options.begin(), options.end());
+        return all;
+    }
+
     std::string out_;
-    pid_t child_ = -1;
+    testing::RunningProgram program_;
 };
 
 std::string recipe_of(const std::string& seed) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -50,10 +51,7 @@ inline ResolvedValue value_at(const Recipe& recipe, const std::string& path) {
 }
 
 inline bool has_value(const Recipe& recipe, const std::string& path) {
-    for (const ResolvedValue& value : recipe.values) {
-        if (value.path == path) return true;
-    }
-    return false;
+    return std::ranges::count(recipe.values, path, &ResolvedValue::path) > 0;
 }
 
 inline const Layer* find_layer(const Parameters& parameters, const std::string& name) {

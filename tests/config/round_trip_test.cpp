@@ -9,7 +9,6 @@
 
 #include "config/assets/assets.h"
 #include "config/presets/presets.h"
-#include "config/sections/color.h"
 #include "config/sections/particles.h"
 #include "config/sections/volume.h"
 #include "tests/config/clouds.h"

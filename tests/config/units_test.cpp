@@ -16,19 +16,15 @@ namespace {
 
 using ErrorKind = QuantityError::Kind;
 
-double value_of(std::string_view text) {
+Quantity quantity_of(std::string_view text) {
     const auto parsed = parse_quantity(text);
     const auto* quantity = std::get_if<Quantity>(&parsed);
     EXPECT_TRUE(quantity) << text;
-    return quantity ? quantity->value : std::nan("");
+    return quantity ? *quantity : Quantity{};
 }
 
-Dimension dimension_of(std::string_view text) {
-    const auto parsed = parse_quantity(text);
-    const auto* quantity = std::get_if<Quantity>(&parsed);
-    EXPECT_TRUE(quantity) << text;
-    return quantity ? quantity->dimension : Dimension::number;
-}
+double value_of(std::string_view text) { return quantity_of(text).value; }
+Dimension dimension_of(std::string_view text) { return quantity_of(text).dimension; }
 
 ErrorKind error_of(std::string_view text) {
     const auto parsed = parse_quantity(text);

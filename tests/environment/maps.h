@@ -53,25 +53,9 @@ inline std::vector<glm::dvec3> even_directions(int count) {
     return directions;
 }
 
-// The map of one channel whose texels are a function of their directions.
-inline Image2<float> map_of(const EnvironmentLayout& layout,
-                            const std::function<double(const glm::dvec3&)>& light) {
-    const auto [columns, rows] = layout.part_size();
-    Image2<float> map(columns, rows * layout.parts(), 1);
-    for (int part = 0; part < layout.parts(); ++part) {
-        for (int y = 0; y < rows; ++y) {
-            for (int x = 0; x < columns; ++x) {
-                *map.texel(x, part * rows + y) = static_cast<float>(
-                    light(layout.direction(part, (x + 0.5) / columns, (y + 0.5) / rows)));
-            }
-        }
-    }
-    return map;
-}
-
 // Calls visit(direction, solid angle, texel) for each texel.
-template <class Visit>
-void for_texels(const Image2<float>& map, const EnvironmentLayout& layout, const Visit& visit) {
+template <class Map, class Visit>
+void for_texels(Map& map, const EnvironmentLayout& layout, const Visit& visit) {
     const auto [columns, rows] = layout.part_size();
     for (int part = 0; part < layout.parts(); ++part) {
         for (int y = 0; y < rows; ++y) {
@@ -81,6 +65,17 @@ void for_texels(const Image2<float>& map, const EnvironmentLayout& layout, const
             }
         }
     }
+}
+
+// The map of one channel whose texels are a function of their directions.
+inline Image2<float> map_of(const EnvironmentLayout& layout,
+                            const std::function<double(const glm::dvec3&)>& light) {
+    const auto [columns, rows] = layout.part_size();
+    Image2<float> map(columns, rows * layout.parts(), 1);
+    for_texels(map, layout, [&](const glm::dvec3& direction, double, float* texel) {
+        *texel = static_cast<float>(light(direction));
+    });
+    return map;
 }
 
 inline config::EnvironmentBake map_bake(std::array<int, 2> size, double sun_deg) {

@@ -354,16 +354,6 @@ Baked coded_volume(const std::array<int, 3>& size, int channels, PixelType type)
     return volume;
 }
 
-std::vector<float> voxels_of(const VoxelSource& source, const VoxelBox& box, std::size_t channels) {
-    std::vector<float> values(static_cast<std::size_t>(box.count()) * channels);
-    std::vector<float*> planes;
-    for (std::size_t c = 0; c < channels; ++c) {
-        planes.push_back(&values[c * static_cast<std::size_t>(box.count())]);
-    }
-    source.fill(box, planes);
-    return values;
-}
-
 // A box of voxels is cut from whole blocks, wherever it begins: each voxel is the same in all boxes.
 TEST(CodedVoxels, DoNotDependOnTheBox) {
     const std::array<int, 3> size = {13, 10, 9};
@@ -376,29 +366,19 @@ TEST(CodedVoxels, DoNotDependOnTheBox) {
         const Baked volume = coded_volume(size, channels, type);
         const auto count = static_cast<std::size_t>(channels);
         const VoxelSource& source = *volume.levels[0].voxels;
-        const std::vector<float> whole = voxels_of(source, {{}, size}, count);
-        const std::vector<float> raw = voxels_of(*volume.levels[0].uncoded, {{}, size}, count);
+        const auto whole = testing::planes_of(source, {{}, size}, count);
+        const auto raw = testing::planes_of(*volume.levels[0].uncoded, {{}, size}, count);
         double largest = 0;
-        for (std::size_t i = 0; i < whole.size(); ++i) {
-            largest = std::max(largest, std::abs(double{whole[i]} - double{raw[i]}));
+        for (std::size_t c = 0; c < count; ++c) {
+            for (std::size_t i = 0; i < raw[c].size(); ++i) {
+                largest = std::max(largest, std::abs(double{whole[c][i]} - double{raw[c][i]}));
+            }
         }
         EXPECT_GT(largest, 0) << static_cast<int>(type);
         EXPECT_LT(largest, 0.05) << static_cast<int>(type);
         for (const VoxelBox box :
              {VoxelBox{{3, 2, 1}, {2, 8, 2}}, {{0, 0, 8}, {13, 10, 1}}, {{12, 9, 0}, {1, 1, 9}}}) {
-            const std::vector<float> part = voxels_of(source, box, count);
-            std::size_t i = 0;
-            for (std::size_t c = 0; c < count; ++c) {
-                for (int z = box.origin[2]; z < box.origin[2] + box.size[2]; ++z) {
-                    for (int y = box.origin[1]; y < box.origin[1] + box.size[1]; ++y) {
-                        for (int x = box.origin[0]; x < box.origin[0] + box.size[0]; ++x, ++i) {
-                            const auto at = static_cast<std::size_t>(
-                                ((static_cast<int>(c) * size[2] + z) * size[1] + y) * size[0] + x);
-                            ASSERT_EQ(part[i], whole[at]);
-                        }
-                    }
-                }
-            }
+            EXPECT_TRUE(testing::is_part_of(whole, source, size, box));
         }
     }
 }
@@ -409,8 +389,11 @@ TEST(CodedVoxels, KeepWhatTheyCannotHold) {
         {9, 9, 9}, 1, PixelType::bc4,
         [](int x, int y, int z, int) { return x == 5 && y == 6 && z == 7 ? 1.5F : 0.25F; });
     code_levels(volume);
-    EXPECT_EQ(voxels_of(*volume.levels[0].voxels, {{5, 6, 7}, {1, 1, 1}}, 1)[0], 1.5F);
-    EXPECT_LT(voxels_of(*volume.levels[0].voxels, {{4, 6, 7}, {1, 1, 1}}, 1)[0], 1);
+    const auto at = [&](const std::array<int, 3>& voxel) {
+        return testing::planes_of(*volume.levels[0].voxels, {voxel, {1, 1, 1}}, 1)[0][0];
+    };
+    EXPECT_EQ(at({5, 6, 7}), 1.5F);
+    EXPECT_LT(at({4, 6, 7}), 1);
     const auto problems = survey_level(volume, 0, {{0, 1}}, {2});
     ASSERT_EQ(problems.size(), 1U);
     EXPECT_EQ(problems[0].code, "E0402");

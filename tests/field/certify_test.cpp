@@ -5,24 +5,15 @@
 #include <array>
 #include <cmath>
 
+#include "tests/field/table_models.h"
+
 namespace skybake {
 namespace {
 
 // f(x, y) = x^2 + y, whose bilinear interpolant on n texels is too high by at most 1 / (4 (n-1)^2);
 // `kernel_bias` is a wrong kernel.
 TableModel parabola(double kernel_bias = 0) {
-    TableModel model;
-    model.channels = 1;
-    model.cost_per_texel = {1};
-    model.highest = 10;
-    model.reference = [](double y, const std::vector<double>& x, double* values) {
-        for (const double at : x) *values++ = at * at + y;
-    };
-    model.row = [kernel_bias](int, double y, const std::vector<double>& x, double* values) {
-        for (const double at : x) *values++ = at * at + y + kernel_bias;
-    };
-    model.error = [](double value, double reference, double) { return value - reference; };
-    return model;
+    return test::model_of([](double x, double y) { return x * x + y; }, {kernel_bias});
 }
 
 Image2<float> bake(const TableModel& model, int size) {

@@ -12,20 +12,9 @@ namespace skybake {
 namespace {
 
 using testing::FunctionVoxels;
+using testing::planes_of;
 using testing::sample_voxel;
 using Size = std::array<int, 3>;
-
-std::vector<std::vector<float>> filled(const VoxelSource& source, const VoxelBox& box,
-                                       int channels = 1) {
-    std::vector<std::vector<float>> planes(static_cast<std::size_t>(channels));
-    std::vector<float*> targets;
-    for (auto& plane : planes) {
-        plane.resize(static_cast<std::size_t>(box.count()));
-        targets.push_back(plane.data());
-    }
-    source.fill(box, targets);
-    return planes;
-}
 
 double mean(const std::vector<float>& values) {
     double sum = 0;
@@ -67,7 +56,7 @@ TEST(MipSource, IsTheMeanOfEightForEvenSizes) {
         return static_cast<float>(x + 10 * y + 100 * z + 1000 * c);
     });
     const MipSource coarser(finer, {8, 8, 8});
-    const auto values = filled(coarser, {{}, {4, 4, 4}}, 2);
+    const auto values = planes_of(coarser, {{}, {4, 4, 4}}, 2);
     std::size_t at = 0;
     for (int z = 0; z < 4; ++z) {
         for (int y = 0; y < 4; ++y) {
@@ -86,7 +75,7 @@ TEST(MipSource, WeighsOddSizesByOverlap) {
         return static_cast<float>(1 << (2 * x)) * (y == 1 ? 2.0f : 1.0f);
     });
     const MipSource coarser(finer, {5, 3, 1});
-    const auto values = filled(coarser, {{}, {2, 1, 1}});
+    const auto values = planes_of(coarser, {{}, {2, 1, 1}}, 1);
     const double y = 4.0 / 3;
     EXPECT_FLOAT_EQ(values[0][0], static_cast<float>(y * (1 + 4 + 16 / 2.0) / 2.5));
     EXPECT_FLOAT_EQ(values[0][1], static_cast<float>(y * (16 / 2.0 + 64 + 256) / 2.5));
@@ -99,7 +88,7 @@ TEST(MipSource, IsItsDefinitionAndKeepsTheMean) {
         const auto finer = std::make_shared<FunctionVoxels>(sample_voxel);
         const MipSource coarser(finer, size);
         const Size half = next_mip_size(size);
-        const auto values = filled(coarser, {{}, half});
+        const auto values = planes_of(coarser, {{}, half}, 1);
         std::size_t at = 0;
         for (int z = 0; z < half[2]; ++z) {
             for (int y = 0; y < half[1]; ++y) {
@@ -109,7 +98,7 @@ TEST(MipSource, IsItsDefinitionAndKeepsTheMean) {
                 }
             }
         }
-        RC_ASSERT(std::fabs(mean(values[0]) - mean(filled(*finer, {{}, size})[0])) < 0x1p-24);
+        RC_ASSERT(std::fabs(mean(values[0]) - mean(planes_of(*finer, {{}, size}, 1)[0])) < 0x1p-24);
     }));
 }
 
@@ -124,18 +113,8 @@ TEST(MipSource, BoxesEqualTheWhole) {
             box.origin[a] = *rc::gen::inRange(0, half[a]);
             box.size[a] = *rc::gen::inRange(1, half[a] - box.origin[a] + 1);
         }
-        const auto whole = filled(coarser, {{}, half}, 2);
-        const auto part = filled(coarser, box, 2);
-        std::size_t at = 0;
-        for (int z = box.origin[2]; z < box.origin[2] + box.size[2]; ++z) {
-            for (int y = box.origin[1]; y < box.origin[1] + box.size[1]; ++y) {
-                for (int x = box.origin[0]; x < box.origin[0] + box.size[0]; ++x, ++at) {
-                    const auto from = static_cast<std::size_t>((z * half[1] + y) * half[0] + x);
-                    RC_ASSERT(part[0][at] == whole[0][from]);
-                    RC_ASSERT(part[1][at] == whole[1][from]);
-                }
-            }
-        }
+        const auto whole = planes_of(coarser, {{}, half}, 2);
+        RC_ASSERT(testing::is_part_of(whole, coarser, half, box));
     }));
 }
 
@@ -144,13 +123,9 @@ TEST(MipSource, LargeBoxesInParts) {
     const Size size = {256, 300, 40};
     const MipSource coarser(std::make_shared<FunctionVoxels>(sample_voxel), size);
     const Size half = next_mip_size(size);
-    const auto whole = filled(coarser, {{}, half}, 4);
+    const auto whole = planes_of(coarser, {{}, half}, 4);
     for (const std::array<int, 3>& voxel : {Size{0, 0, 0}, Size{127, 149, 19}, Size{64, 75, 10}}) {
-        const auto one = filled(coarser, {voxel, {1, 1, 1}}, 4);
-        for (std::size_t c = 0; c < 4; ++c) {
-            EXPECT_EQ(one[c][0], whole[c][static_cast<std::size_t>(
-                                     (voxel[2] * half[1] + voxel[1]) * half[0] + voxel[0])]);
-        }
+        EXPECT_TRUE(testing::is_part_of(whole, coarser, half, {voxel, {1, 1, 1}}));
     }
     std::vector<float> second(whole[1].size());
     coarser.fill({{}, half}, {nullptr, second.data(), nullptr, nullptr});
@@ -162,13 +137,13 @@ TEST(MipSource, ChainsEndInTheMean) {
     for (const Size& first : {Size{16, 16, 16}, Size{13, 6, 1}, Size{1, 9, 27}}) {
         std::shared_ptr<const VoxelSource> level = std::make_shared<FunctionVoxels>(sample_voxel);
         Size size = first;
-        const double wanted = mean(filled(*level, {{}, size})[0]);
+        const double wanted = mean(planes_of(*level, {{}, size}, 1)[0]);
         int levels = 1;
         while (size != Size{1, 1, 1}) {
             level = std::make_shared<MipSource>(level, size);
             size = next_mip_size(size);
             ++levels;
-            EXPECT_NEAR(mean(filled(*level, {{}, size})[0]), wanted, levels * 0x1p-24);
+            EXPECT_NEAR(mean(planes_of(*level, {{}, size}, 1)[0]), wanted, levels * 0x1p-24);
         }
         EXPECT_EQ(levels, first[0] == 16 ? 5 : first[0] == 13 ? 4 : 5);
     }
@@ -184,7 +159,7 @@ TEST(MipSource, KeepsThePhase) {
                                 return static_cast<float>(wave(x, n));
                             }),
                             {n, 1, 1});
-    const auto values = filled(coarser, {{}, {n / 2, 1, 1}});
+    const auto values = planes_of(coarser, {{}, {n / 2, 1, 1}}, 1);
     // A box filter damps the wave and must not turn it: all ratios are the same.
     const double damped = values[0][1] / wave(1, n / 2);
     EXPECT_GT(damped, 0.98);

@@ -3,28 +3,15 @@
 #include <cmath>
 
 #include "bakers/field/smallest_table.h"
-#include "bakers/field/table_search.h"
+#include "tests/field/table_models.h"
 
 namespace skybake {
 namespace {
 
+using test::model_of;
+
 constexpr SearchCounts kWithEstimate = {32, 16, 8, 8, 64};
 constexpr SearchCounts kReferenceAlone = {32, 16, 8, 8, 0};
-
-// A function of x and y whose texels are exact, and whose reference may be higher by `bias`.
-TableModel model_of(const std::function<double(double x, double y)>& function, double bias = 0) {
-    TableModel model;
-    model.channels = 1;
-    model.cost_per_texel = {1};
-    model.row = [=](int, double y, const std::vector<double>& x, double* values) {
-        for (const double at : x) *values++ = function(at, y);
-    };
-    model.reference = [=](double y, const std::vector<double>& x, double* values) {
-        for (const double at : x) *values++ = function(at, y) + bias;
-    };
-    model.error = [](double value, double reference, double) { return value - reference; };
-    return model;
-}
 
 FoundErrors search(const TableModel& model, std::array<int, 2> size, const SearchCounts& counts,
                    int threads = 2) {
@@ -65,7 +52,7 @@ TEST(TableSearch, FindsAWallThatFewCellsHold) {
 }
 
 TEST(TableSearch, SeesWhatTheEstimateLeavesOut) {
-    const TableModel model = model_of([](double, double y) { return y; }, 0.125);
+    const TableModel model = model_of([](double, double y) { return y + 0.125; }, {-0.125});
     const FoundErrors found = search(model, {9, 5}, kWithEstimate);
     EXPECT_NEAR(found.figures.max, 0.125, 1e-6);
     EXPECT_NEAR(found.figures.rms, 0.125, 0.0125);  // an estimate
@@ -89,18 +76,8 @@ TEST(TableSearch, IsTheSameForAnyNumberOfThreads) {
 }
 
 // Curved along x alone, so that height buys nothing. Level 0 is cheap and off by 1e-3.
-TableModel model_of(double curvature) {
-    TableModel model;
-    model.channels = 1;
-    model.cost_per_texel = {1, 10};
-    model.reference = [=](double y, const std::vector<double>& x, double* values) {
-        for (const double at : x) *values++ = curvature * at * at + y;
-    };
-    model.row = [=](int level, double y, const std::vector<double>& x, double* values) {
-        for (const double at : x) *values++ = curvature * at * at + y + (level == 0 ? 1e-3 : 0);
-    };
-    model.error = [](double value, double reference, double) { return value - reference; };
-    return model;
+TableModel curve_of(double curvature) {
+    return model_of([=](double x, double y) { return curvature * x * x + y; }, {1e-3, 0});
 }
 
 TableSearch search(const TableModel& model, double max_error,
@@ -111,7 +88,7 @@ TableSearch search(const TableModel& model, double max_error,
 
 TEST(SmallestTable, SpendsTexelsWhereTheyHelp) {
     // Interpolation is off by 1 / (4 (n-1)^2): below 1e-2 from n = 6, height 4 being the least.
-    const TableSearch found = search(model_of(1), 1.2e-2);
+    const TableSearch found = search(curve_of(1), 1.2e-2);
     ASSERT_TRUE(found.found);
     EXPECT_EQ(found.found->size, (std::array<int, 2>{6, 4}))
         << found.found->size[0] << 'x' << found.found->size[1];
@@ -120,27 +97,27 @@ TEST(SmallestTable, SpendsTexelsWhereTheyHelp) {
 }
 
 TEST(SmallestTable, TakesADearerLevelWhereTheCheapOneCannotHold) {
-    const TableSearch found = search(model_of(1), 5e-4);
+    const TableSearch found = search(curve_of(1), 5e-4);
     ASSERT_TRUE(found.found);
     EXPECT_EQ(found.found->level, 1);
     EXPECT_EQ(found.found->size, (std::array<int, 2>{24, 4}));
 }
 
 TEST(SmallestTable, SaysHowFarItCameWhereNoneHolds) {
-    const TableSearch found = search(model_of(1e4), 1e-6);
+    const TableSearch found = search(curve_of(1e4), 1e-6);
     EXPECT_FALSE(found.found);
     EXPECT_GT(found.best.max_error, 1e-6);
     EXPECT_LT(found.best.max_error, 1e-3);
 }
 
 TEST(SmallestTable, CountsThePixelType) {
-    EXPECT_TRUE(search(model_of(1), 1e-4).found);
-    EXPECT_FALSE(search(model_of(1), 1e-4, config::PixelType::half).found);
+    EXPECT_TRUE(search(curve_of(1), 1e-4).found);
+    EXPECT_FALSE(search(curve_of(1), 1e-4, config::PixelType::half).found);
 }
 
 // A check that wants the table wider than the points show: errors hide where no point is.
 TEST(SmallestTable, HoldsWhereACheckLooks) {
-    const TableModel model = model_of(1);
+    const TableModel model = curve_of(1);
     int checked = 0;
     const TableCheck check = [&](int, const Image2<float>& image) {
         ++checked;

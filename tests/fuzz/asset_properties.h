@@ -85,23 +85,37 @@ inline void check_asset(const CloudVolumeBake& asset, const Parameters& paramete
     check_files(asset, asset.size);
 }
 
-inline void check_asset(const OccupancyBake& asset, const Parameters& parameters) {
+// Returns the voxels of the cloud volume that an asset is made of.
+template <class Asset>
+std::array<int, 3> voxels_of_source(const Asset& asset, const Parameters& parameters) {
     const Bake* of = find_by_name(parameters.bakes, asset.of);
     require(of && of->is<CloudVolumeBake>(), "its cloud volume is there");
+    return of->as<CloudVolumeBake>().size;
+}
+
+// Returns how many cells cover them.
+template <class Asset>
+std::array<int, 3> cells_of_source(const Asset& asset, const Parameters& parameters) {
+    std::array<int, 3> cells = voxels_of_source(asset, parameters);
+    for (int& edge : cells) edge = (edge + asset.cell - 1) / asset.cell;
+    return cells;
+}
+
+template <class Asset>
+void check_cells(const Asset& asset, const Parameters& parameters) {
     require(asset.cell >= 1 && asset.cell <= 16 && (asset.cell & (asset.cell - 1)) == 0,
             "a cell is a power of two");
-    std::array<int, 3> cells = of->as<CloudVolumeBake>().size;
-    for (int& edge : cells) edge = (edge + asset.cell - 1) / asset.cell;
-    check_files(asset, cells);
+    check_files(asset, cells_of_source(asset, parameters));
     const std::size_t contents = asset.contents.size();
     require(contents == 1 || contents == 3 || contents == 4, "contents make a picture");
 }
 
+inline void check_asset(const OccupancyBake& asset, const Parameters& parameters) {
+    check_cells(asset, parameters);
+}
+
 inline void check_asset(const CloudLightBake& asset, const Parameters& parameters) {
-    const Bake* of = find_by_name(parameters.bakes, asset.of);
-    require(of && of->is<CloudVolumeBake>(), "its cloud volume is there");
-    std::array<int, 3> texels = of->as<CloudVolumeBake>().size;
-    for (int& edge : texels) edge = (edge + asset.cell - 1) / asset.cell;
+    std::array<int, 3> texels = cells_of_source(asset, parameters);
     if (asset.contents == CloudLightContents::shadow) texels[2] = 1;
     if (asset.max_error) {
         require(asset.mips == 1, "the number of levels is not known");
@@ -121,18 +135,11 @@ inline void check_asset(const CloudLightBake& asset, const Parameters& parameter
 }
 
 inline void check_asset(const CloudDistanceBake& asset, const Parameters& parameters) {
-    const Bake* of = find_by_name(parameters.bakes, asset.of);
-    require(of && of->is<CloudVolumeBake>(), "its cloud volume is there");
-    require(asset.cell >= 1 && asset.cell <= 16 && (asset.cell & (asset.cell - 1)) == 0,
-            "a cell is a power of two");
-    std::array<int, 3> texels = of->as<CloudVolumeBake>().size;
-    require(texels[0] % asset.cell == 0 && texels[1] % asset.cell == 0, "texels tile the volume");
-    for (int& edge : texels) edge = (edge + asset.cell - 1) / asset.cell;
-    check_files(asset, texels);
+    check_cells(asset, parameters);
+    const std::array<int, 3> voxels = voxels_of_source(asset, parameters);
+    require(voxels[0] % asset.cell == 0 && voxels[1] % asset.cell == 0, "texels tile the volume");
     require(asset.mips == 1, "it has one level");
     require(asset.range[0].meters <= 0 && asset.range[1].meters > 0, "0 is in its range");
-    const std::size_t contents = asset.contents.size();
-    require(contents == 1 || contents == 3 || contents == 4, "contents make a picture");
     require(asset.contents.front() == DistanceContent::distance, "the distance is the first");
 }
 

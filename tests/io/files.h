@@ -13,6 +13,8 @@
 #include <fstream>
 #include <functional>
 #include <iterator>
+#include <set>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -24,6 +26,8 @@
 #include "bakers/io/formats/texture.h"
 #include "bakers/io/manifest/asset_files.h"
 #include "bakers/io/manifest/manifest.h"
+#include "bakers/io/manifest/verify.h"
+#include "bakers/math/hash.h"
 #include "tests/support/exr_image.h"
 #include "tests/support/temporary_folder.h"
 #include "tests/support/volumes.h"
@@ -58,6 +62,34 @@ inline std::string read_bytes(const std::filesystem::path& path) {
 
 inline void write_bytes(const std::filesystem::path& path, const std::string& bytes) {
     std::ofstream(path, std::ios::binary) << bytes;
+}
+
+inline void save_manifest(const std::filesystem::path& folder, const Manifest& manifest) {
+    write_bytes(folder / manifest_name, manifest_json(manifest));
+}
+
+// Replaces a file of the first asset, and what the manifest says of its bytes.
+inline void replace_file(const std::filesystem::path& folder, Manifest& manifest, std::size_t index,
+                         const std::string& bytes) {
+    ManifestFile& file = manifest.assets[0].files[index];
+    write_bytes(folder / file.path, bytes);
+    file.bytes = bytes.size();
+    file.xxh3 = xxh3_hex(bytes);
+    save_manifest(folder, manifest);
+}
+
+// Returns the checks that fail in a folder, each as often as it does.
+using Checks = std::multiset<std::string>;
+inline Checks failed_checks(const std::filesystem::path& folder,
+                            std::span<const AssetCheck> further = {}) {
+    const auto report = verify_bake(folder, further);
+    Checks checks;
+    if (!report.value) {
+        ADD_FAILURE() << report.diagnostics[0].message;
+        return checks;
+    }
+    for (const VerifyFailure& failure : report.value->failures) checks.insert(failure.check);
+    return checks;
 }
 
 // A small generator with the same numbers everywhere (Steele, Lea and Flood 2014: SplitMix64).
@@ -168,22 +200,26 @@ inline Baked sample_table(const std::string& name = "transmittance") {
     return table;
 }
 
+// Writes the files of an asset, and adds it to the manifest.
+inline ManifestAsset& add_asset(const Baked& baked, const std::filesystem::path& folder,
+                                Manifest& manifest) {
+    manifest.assets.push_back(describe_with_files(baked));
+    AtomicFiles files;
+    EXPECT_TRUE(stage_files(baked, manifest.assets.back(), folder, files, 2).value.has_value());
+    EXPECT_TRUE(files.commit().empty());
+    return manifest.assets.back();
+}
+
 // Bakes sample tables of these names into the folder, manifest and all.
 inline Manifest write_sample_bake(const std::filesystem::path& folder,
                                   const std::vector<std::string>& names) {
     Manifest manifest = new_manifest({});
     for (const std::string& name : names) {
-        const Baked table = sample_table(name);
-        ManifestAsset asset = describe_with_files(table);
-        AtomicFiles files;
-        EXPECT_TRUE(stage_files(table, asset, folder, files, 2).value.has_value());
-        EXPECT_TRUE(files.commit().empty());
+        ManifestAsset& asset = add_asset(sample_table(name), folder, manifest);
         asset.timing.bake.texels = 0.004;
         asset.lookup_cost = LookupCost{"sky_view", 1, 70, 2, 6};
-        manifest.assets.push_back(std::move(asset));
     }
-    EXPECT_TRUE(
-        write_file_atomically(folder / manifest_name, manifest_json(manifest)).value.has_value());
+    save_manifest(folder, manifest);
     return manifest;
 }
 
@@ -212,14 +248,8 @@ inline Baked sample_volume(const std::array<int, 3>& size = {12, 10, 7}, int cha
 // Writes the volume's files and a manifest of it alone.
 inline Manifest write_sample_volume(const std::filesystem::path& folder, const Baked& volume) {
     Manifest manifest = new_manifest({});
-    ManifestAsset asset = describe_with_files(volume);
-    AtomicFiles files;
-    const auto staged = stage_files(volume, asset, folder, files, 2);
-    EXPECT_TRUE(staged.value.has_value());
-    EXPECT_TRUE(files.commit().empty());
-    manifest.assets.push_back(std::move(asset));
-    EXPECT_TRUE(
-        write_file_atomically(folder / manifest_name, manifest_json(manifest)).value.has_value());
+    add_asset(volume, folder, manifest);
+    save_manifest(folder, manifest);
     return manifest;
 }
 

@@ -1,17 +1,15 @@
 // Sparse files of write_vdb against OpenVDB's own reader, and against trees that OpenVDB built and
 // wrote.
 #include <gtest/gtest.h>
-#include <openvdb/io/File.h>
-#include <openvdb/openvdb.h>
 #include <rapidcheck/gtest.h>
 
 #include <atomic>
 #include <cmath>
-#include <sstream>
 
 #include "bakers/io/formats/vdb/vdb_file.h"
 #include "tests/io/files.h"
 #include "tests/io/vdb_samples.h"
+#include "tests/io/vdb_trees.h"
 #include "tests/support/cancelled_at.h"
 
 namespace skybake {
@@ -62,19 +60,6 @@ FloatGrid::Ptr sparse_grid(const std::vector<float>& values, const Size& size) {
     return grid;
 }
 
-// The bytes that OpenVDB makes of a tree.
-std::string tree_bytes(const FloatGrid& grid, const Baked& volume) {
-    std::uint32_t flags = openvdb::io::COMPRESS_ACTIVE_MASK;
-    if (volume.vdb_compression == VdbCompression::zip) flags |= openvdb::io::COMPRESS_ZIP;
-    if (volume.vdb_compression == VdbCompression::blosc) flags |= openvdb::io::COMPRESS_BLOSC;
-    std::ostringstream out;
-    openvdb::io::setDataCompression(out, flags);
-    const bool half = volume.pixel_type == PixelType::half;
-    grid.tree().writeTopology(out, half);
-    grid.tree().writeBuffers(out, half);
-    return out.str();
-}
-
 // Whether two trees have the same nodes, active voxels and values, bit by bit.
 bool are_equal(const FloatGrid& a, const FloatGrid& b) {
     if (!a.tree().hasSameTopology(b.tree())) return false;
@@ -119,7 +104,9 @@ std::string wrong_for_openvdb(const Baked& volume, const std::filesystem::path& 
         }
         if (channel + 1 < volume.channel_names.size()) continue;
         const std::string bytes = testing::read_bytes(path);
-        if (!bytes.ends_with(tree_bytes(*wanted, volume))) return "the bytes of the last tree";
+        if (!bytes.ends_with(
+                testing::tree_bytes(*wanted, volume.vdb_compression, volume.pixel_type)))
+            return "the bytes of the last tree";
     }
     return "";
 }

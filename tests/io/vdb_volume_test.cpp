@@ -3,15 +3,12 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
-#include <openvdb/io/File.h>
-#include <openvdb/openvdb.h>
 
 #include <cmath>
-#include <map>
-#include <sstream>
 
 #include "tests/io/files.h"
 #include "tests/io/vdb_samples.h"
+#include "tests/io/vdb_trees.h"
 #include "tests/support/volumes.h"
 
 namespace skybake {
@@ -75,20 +72,6 @@ FloatGrid::Ptr dense_grid(const Baked& volume, int channel) {
     return grid;
 }
 
-// The bytes that OpenVDB makes of a tree.
-std::string tree_bytes_of_case(const FloatGrid& grid, const Case& tested) {
-    const std::map<VdbCompression, std::uint32_t> flags = {
-        {VdbCompression::none, openvdb::io::COMPRESS_ACTIVE_MASK},
-        {VdbCompression::zip, openvdb::io::COMPRESS_ACTIVE_MASK | openvdb::io::COMPRESS_ZIP},
-        {VdbCompression::blosc, openvdb::io::COMPRESS_ACTIVE_MASK | openvdb::io::COMPRESS_BLOSC}};
-    std::ostringstream out;
-    openvdb::io::setDataCompression(out, flags.at(tested.compression));
-    const bool half = tested.type == PixelType::half;
-    grid.tree().writeTopology(out, half);
-    grid.tree().writeBuffers(out, half);
-    return out.str();
-}
-
 std::string grid_name(const Case& tested, int channel) {
     const char* names[] = {"R", "G", "B", "A"};
     return tested.channels == 1 ? "density" : names[channel];
@@ -135,7 +118,7 @@ TEST_P(VdbVolume, OpenVdbReadsTheDenseGrid) {
 // The file ends with what OpenVDB writes for the last grid's tree.
 TEST_P(VdbVolume, TheTreeHasTheBytesThatOpenVdbWrites) {
     const FloatGrid::Ptr grid = dense_grid(volume_, GetParam().channels - 1);
-    const std::string wanted = tree_bytes_of_case(*grid, GetParam());
+    const std::string wanted = testing::tree_bytes(*grid, GetParam().compression, GetParam().type);
     const std::string bytes = testing::read_bytes(path_);
     ASSERT_GT(bytes.size(), wanted.size());
     EXPECT_TRUE(std::string_view(bytes).substr(bytes.size() - wanted.size()) == wanted);

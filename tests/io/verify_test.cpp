@@ -1,43 +1,22 @@
 #include "bakers/io/manifest/verify.h"
 
-#include <set>
-
-#include "bakers/math/hash.h"
 #include "tests/io/files.h"
 
 namespace skybake {
 namespace {
 
 namespace fs = std::filesystem;
-using Checks = std::multiset<std::string>;
-
-Checks failed_checks(const fs::path& folder, std::span<const AssetCheck> further = {}) {
-    const auto report = verify_bake(folder, further);
-    Checks checks;
-    if (!report.value) {
-        ADD_FAILURE() << report.diagnostics[0].message;
-        return checks;
-    }
-    for (const VerifyFailure& failure : report.value->failures) checks.insert(failure.check);
-    return checks;
-}
-
-void save(const fs::path& folder, const Manifest& manifest) {
-    testing::write_bytes(folder / manifest_name, manifest_json(manifest));
-}
+using testing::Checks;
+using testing::failed_checks;
+using testing::save_manifest;
 
 // Rewrites an image of the bake, and byte count and hash with it, so that only what lies deeper
 // fails.
 void rewrite(const fs::path& folder, Manifest& manifest,
              const std::function<void(ExrImage&)>& change) {
-    ManifestFile& file = manifest.assets[0].files[0];
-    ExrImage image = *read_exr(folder / file.path).value;
+    ExrImage image = *read_exr(folder / manifest.assets[0].files[0].path).value;
     change(image);
-    const std::string bytes = *encode_exr(image).value;
-    testing::write_bytes(folder / file.path, bytes);
-    file.bytes = bytes.size();
-    file.xxh3 = xxh3_hex(bytes);
-    save(folder, manifest);
+    testing::replace_file(folder, manifest, 0, *encode_exr(image).value);
 }
 
 TEST(Verify, PassesWhatWasBaked) {
@@ -106,7 +85,7 @@ TEST(Verify, ComparesSizeChannelsAndType) {
     asset.files[0].compression = "piz";
     asset.levels[0].probes.clear();
     asset.levels[0].catches.clear();
-    save(folder.path(), manifest);
+    save_manifest(folder.path(), manifest);
     EXPECT_EQ(failed_checks(folder.path()), (Checks{"size", "compression", "metadata", "voxels"}));
 }
 
@@ -117,7 +96,7 @@ TEST(Verify, ChecksEachProbe) {
     probes[1].value[2] += 1e-6;
     probes[2].uvw[0] = 1.001;
     probes[3].tolerance.pop_back();
-    save(folder.path(), manifest);
+    save_manifest(folder.path(), manifest);
     EXPECT_EQ(failed_checks(folder.path()),
               (Checks{"metadata", "probe", "probe", "probe", "probe"}));
 }

@@ -1,37 +1,16 @@
-#include <set>
 
 #include "bakers/io/manifest/verify.h"
-#include "bakers/math/hash.h"
 #include "tests/io/files.h"
 
 namespace skybake {
 namespace {
 
 using config::FileFormat;
+using testing::Checks;
+using testing::failed_checks;
+using testing::replace_file;
 using testing::sample_volume;
-using Checks = std::multiset<std::string>;
-
-Checks failed_checks(const std::filesystem::path& folder) {
-    const auto report = verify_bake(folder);
-    EXPECT_TRUE(report.value.has_value());
-    Checks checks;
-    for (const VerifyFailure& failure : report.value->failures) checks.insert(failure.check);
-    return checks;
-}
-
-void save(const std::filesystem::path& folder, const Manifest& manifest) {
-    ASSERT_TRUE(write_file_atomically(folder / manifest_name, manifest_json(manifest)).value);
-}
-
-// Replaces a file and what the manifest says of its bytes.
-void replace_file(const std::filesystem::path& folder, Manifest& manifest, std::size_t index,
-                  const std::string& bytes) {
-    ManifestFile& file = manifest.assets[0].files[index];
-    testing::write_bytes(folder / file.path, bytes);
-    file.bytes = bytes.size();
-    file.xxh3 = xxh3_hex(bytes);
-    save(folder, manifest);
-}
+using testing::save_manifest;
 
 TEST(VerifyVolume, AcceptsWhatWasWritten) {
     for (const auto layout : {config::SheetLayout::stack, config::SheetLayout::atlas}) {
@@ -106,7 +85,7 @@ TEST(VerifyVolume, AcceptsSparseOpenVdbWithGridsOfOtherNames) {
     EXPECT_EQ(manifest.assets[0].files[2].grids, volume.grid_names);
     EXPECT_EQ(failed_checks(folder.path()), Checks{});
     manifest.assets[0].files[2].grids = {"density"};
-    save(folder.path(), manifest);
+    save_manifest(folder.path(), manifest);
     EXPECT_EQ(failed_checks(folder.path()), (Checks{"channels", "metadata"}));
 }
 
@@ -115,7 +94,7 @@ TEST(VerifyVolume, FindsGridsInAnotherOrder) {
     Manifest manifest = testing::write_sample_volume(
         folder.path(), sample_volume({8, 8, 8}, 3, PixelType::half, {FileFormat::vdb}));
     std::swap(manifest.assets[0].files[0].grids[0], manifest.assets[0].files[0].grids[2]);
-    save(folder.path(), manifest);
+    save_manifest(folder.path(), manifest);
     EXPECT_EQ(failed_checks(folder.path()), (Checks{"channels", "metadata"}));
 }
 
@@ -159,18 +138,18 @@ TEST(VerifyVolume, ComparesWhatTheManifestSays) {
     const Baked volume = sample_volume({12, 10, 7}, 3, PixelType::half, {FileFormat::exr});
     Manifest manifest = testing::write_sample_volume(folder.path(), volume);
     manifest.assets[0].files[0].layout = SheetGrid{config::SheetLayout::atlas, 2, 4};
-    save(folder.path(), manifest);
+    save_manifest(folder.path(), manifest);
     EXPECT_EQ(failed_checks(folder.path()), (Checks{"metadata", "size", "voxels"}));
     manifest = testing::write_sample_volume(folder.path(), volume);
     manifest.assets[0].levels[0].probes[3].value[1] += 1e-6;
     manifest.assets[0].levels[0].probes[4].tolerance.pop_back();
     manifest.assets[0].files[0].compression = "piz";
-    save(folder.path(), manifest);
+    save_manifest(folder.path(), manifest);
     EXPECT_EQ(failed_checks(folder.path()), (Checks{"compression", "metadata", "probe", "probe"}));
     manifest = testing::write_sample_volume(folder.path(), volume);
     manifest.assets[0].levels[0].statistics[2].max += 1e-3;
     manifest.assets[0].seam_error = 0.5;
-    save(folder.path(), manifest);
+    save_manifest(folder.path(), manifest);
     EXPECT_EQ(failed_checks(folder.path()), (Checks{"metadata", "statistics"}));
 }
 

@@ -33,36 +33,42 @@ inline double log_uniform(double from, double to) {
     return std::exp(uniform(std::log(from), std::log(to)));
 }
 
-// One to three layers of any phase function and profile, zenith optical depths from 1e-3 to 10,
-// planets from 50 km to 1e5 km.
-inline config::Atmosphere random_atmosphere() {
+// A planet from 50 km to 1e5 km with one to `most` layers, which `fill(thickness, layer)` fills in.
+template <class FillLayer>
+config::Atmosphere random_planet(int most, const FillLayer& fill) {
     const double radius = log_uniform(5e4, 1e8);
     const double thickness = radius * log_uniform(1e-3, 0.3);
     config::Atmosphere atmosphere;
     atmosphere.ground_radius = {radius};
     atmosphere.top_radius = {radius + thickness};
     atmosphere.ground_albedo = {uniform(0, 1), uniform(0, 1), uniform(0, 1)};
-    const int layers = *rc::gen::inRange(1, 4);
+    const int layers = *rc::gen::inRange(1, most + 1);
     for (int i = 0; i < layers; ++i) {
         config::Layer layer;
         layer.name = std::string(1, static_cast<char>('a' + i));
-        layer.profile =
-            *rc::gen::inRange(0, 3) == 0 ? config::Profile::tent : config::Profile::exponential;
-        layer.scale_height = {thickness * log_uniform(0.02, 1)};
         layer.center_altitude = {thickness * uniform(0.1, 0.6)};
+        fill(thickness, layer);
+        atmosphere.layers.push_back(layer);
+    }
+    return atmosphere;
+}
+
+// One to three layers of any phase function and profile, zenith optical depths from 1e-3 to 10.
+inline config::Atmosphere random_atmosphere() {
+    return random_planet(3, [](double thickness, config::Layer& layer) {
+        const bool is_tent = *rc::gen::inRange(0, 3) == 0;
+        layer.profile = is_tent ? config::Profile::tent : config::Profile::exponential;
+        layer.scale_height = {thickness * log_uniform(0.02, 1)};
         layer.half_width = {thickness * uniform(0.05, 0.4)};
         layer.phase = static_cast<config::Phase>(*rc::gen::inRange(0, 4));
         layer.g = uniform(-0.8, 0.9);
-        const double column = layer.profile == config::Profile::tent ? layer.half_width.meters
-                                                                     : layer.scale_height.meters;
+        const double column = is_tent ? layer.half_width.meters : layer.scale_height.meters;
         for (int c = 0; c < 3; ++c) {
             const double extinction = log_uniform(1e-3, 10) / column;
             layer.extinction.push_back({extinction});
             layer.scattering.push_back({extinction * uniform(0, 1)});
         }
-        atmosphere.layers.push_back(layer);
-    }
-    return atmosphere;
+    });
 }
 
 // The light of an atmosphere with higher orders that are smooth and cost nothing.

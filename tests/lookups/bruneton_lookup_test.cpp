@@ -1,7 +1,6 @@
 #include "bakers/air/particles/phase_function.h"
 #include "bakers/assets/bruneton/scattering_mapping.h"
 #include "bakers/field/image.h"
-#include "bakers/math/relative_error.h"
 #include "config/sections/layer.h"
 #include "tests/lookups/lookup_trial.h"
 
@@ -92,12 +91,7 @@ struct ScatteringTrial {
     test::Loss loss(const Lookup& lookup) const {
         return test::loss_at_places([&](test::Dice& dice, test::Loss& loss) {
             const ScatteringPlace at = any_place(dice);
-            const gpu::vec4 found = lookup(at);
-            const std::array<double, 4> wanted = in_double(at);
-            for (int c = 0; c < 3; ++c) {
-                loss.add(
-                    relative_error(double{found[c]}, wanted[static_cast<std::size_t>(c)], largest));
-            }
+            test::add_relative(lookup(at), in_double(at), largest, loss);
         });
     }
 

@@ -1,6 +1,5 @@
 #include <numbers>
 
-#include "bakers/math/relative_error.h"
 #include "tests/lookups/lookup_trial.h"
 
 namespace skybake {
@@ -25,16 +24,9 @@ class EnvironmentTrial {
         for (const float texel : texture_.texels) largest_ = std::max(largest_, double{texel});
     }
 
-    // A direction by azimuth from the sun, to the right of somebody who looks at it, and elevation.
     vec3 in_float(double azimuth, double elevation, const glm::dvec3& up) const {
-        const glm::dvec3 side = std::fabs(up.z) < 0.9 ? glm::dvec3{0, 0, 1} : glm::dvec3{1, 0, 0};
-        const glm::dvec3 ahead = glm::normalize(glm::cross(up, side));
-        const glm::dvec3 right = glm::cross(ahead, up);
-        const glm::dvec3 level = std::cos(azimuth) * ahead + std::sin(azimuth) * right;
-        const double sun = 20 * kPi / 180;
-        return gpu::environment_lookup::environment(
-            {texture_}, vec3(std::cos(elevation) * level + std::sin(elevation) * up), vec3(up),
-            vec3(std::cos(sun) * ahead + std::sin(sun) * up));
+        const auto at = test::engine_view(elevation, azimuth, 20 * kPi / 180, up);
+        return gpu::environment_lookup::environment({texture_}, at.dir, at.up, at.sun);
     }
     std::array<double, 4> in_double(double azimuth, double elevation) const {
         return filtered(texture_, {azimuth / (2 * kPi) + 0.5, 0.5 - elevation / kPi, 0.5});
@@ -55,11 +47,7 @@ TEST(EnvironmentLookup, FloatLosesLittle) {
         const double azimuth = dice.angle(-kPi, kPi);
         const double elevation = dice.angle(-kPi / 2, kPi / 2);
         const vec3 found = trial.in_float(azimuth, elevation, dice.direction());
-        const std::array<double, 4> wanted = trial.in_double(azimuth, elevation);
-        for (int c = 0; c < 3; ++c) {
-            loss.add(relative_error(double{found[c]}, wanted[static_cast<std::size_t>(c)],
-                                    trial.largest()));
-        }
+        test::add_relative(found, trial.in_double(azimuth, elevation), trial.largest(), loss);
     });
     expect_little_loss(lost, trial.table().certificate);
 }

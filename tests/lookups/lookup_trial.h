@@ -22,6 +22,7 @@
 #include "bakers/assets/optical_depth/column_table.h"
 #include "bakers/assets/registry/registry.h"
 #include "bakers/field/baked.h"
+#include "bakers/math/relative_error.h"
 #include "tests/lookups/gpu.h"
 #include "tests/support/atmospheres.h"
 #include "tests/support/outcomes.h"
@@ -57,6 +58,15 @@ class Loss {
     double sum_ = 0;
     long count_ = 0;
 };
+
+// Adds the relative errors of the first three channels, those of small values against `largest`.
+template <class Found>
+void add_relative(const Found& found, const std::array<double, 4>& wanted, double largest,
+                  Loss& loss) {
+    for (int c = 0; c < 3; ++c) {
+        loss.add(relative_error(double{found[c]}, wanted[static_cast<std::size_t>(c)], largest));
+    }
+}
 
 inline void expect_little_loss(const Loss& loss, const Certificate& certificate) {
     EXPECT_TRUE(loss.is_a_tenth_of(certificate.lookup)) << loss.text(certificate.lookup);
@@ -98,6 +108,23 @@ class Dice {
   private:
     std::mt19937_64 engine_{20240611};
 };
+
+// A direction and the sun in a frame of their own, as any engine has one.
+struct EngineView {
+    gpu::vec3 dir, up, sun;
+};
+
+// The azimuth is that from the sun, to the right of somebody who looks at it.
+inline EngineView engine_view(double elevation, double azimuth, double sun_elevation,
+                              const glm::dvec3& up) {
+    const glm::dvec3 side = std::fabs(up.z) < 0.9 ? glm::dvec3{0, 0, 1} : glm::dvec3{1, 0, 0};
+    const glm::dvec3 ahead = glm::normalize(glm::cross(up, side));
+    const glm::dvec3 level = std::cos(azimuth) * ahead + std::sin(azimuth) * glm::cross(ahead, up);
+    const auto raised = [&](const glm::dvec3& from, double angle) {
+        return gpu::vec3(std::cos(angle) * from + std::sin(angle) * up);
+    };
+    return {raised(level, elevation), gpu::vec3(up), raised(ahead, sun_elevation)};
+}
 
 // Returns the loss that `add(dice, loss)` adds at kPlaces places, which the dice choose.
 template <class Add>

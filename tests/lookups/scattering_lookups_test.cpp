@@ -2,7 +2,6 @@
 #include "bakers/field/image.h"
 #include "bakers/light/multiple_scattering_mapping.h"
 #include "bakers/light/solver/solved_light.h"
-#include "bakers/math/relative_error.h"
 #include "tests/lookups/lookup_trial.h"
 
 namespace skybake {
@@ -62,13 +61,6 @@ struct SunTable {
     double largest = 0;
 };
 
-void add_relative(const gpu::vec3& found, const std::array<double, 4>& wanted, double largest,
-                  test::Loss& loss) {
-    for (int c = 0; c < 3; ++c) {
-        loss.add(relative_error(double{found[c]}, wanted[static_cast<std::size_t>(c)], largest));
-    }
-}
-
 TEST(MultipleScatteringLookup, FloatLosesLittle) {
     const std::string whole =
         "preset = 'earth_hillaire'\n[bake.multiple_scattering]\n"
@@ -81,10 +73,10 @@ TEST(MultipleScatteringLookup, FloatLosesLittle) {
             const float mu = table.sun(dice);
             const gpu::vec3 found = gpu::sun_lookups::multiple_scattering(
                 {table.texture}, table.size(), table.D, h, mu, table.twilight(), table.crop());
-            add_relative(found,
-                         table.in_double(table.columns.coordinate(double{mu}),
-                                         double{h} / table.shell.thickness_km),
-                         table.largest, loss);
+            test::add_relative(found,
+                               table.in_double(table.columns.coordinate(double{mu}),
+                                               double{h} / table.shell.thickness_km),
+                               table.largest, loss);
         });
         expect_little_loss(lost, table.baked.asset().certificate);
     }
@@ -136,10 +128,10 @@ void expect_suns_of_a_cropped_axis(const CroppedMoments& moments) {
         const gpu::vec3 found = gpu::sun_lookups::multiple_scattering(
             {texture}, gpu::vec2(gpu::size_of(texture)), moments.D, h, mu, moments.twilight(),
             moments.crop());
-        add_relative(found,
-                     moments.in_double(moments.columns.coordinate(double{mu}),
-                                       double{h} / moments.shell.thickness_km, 0, 6),
-                     moments.largest, loss);
+        test::add_relative(found,
+                           moments.in_double(moments.columns.coordinate(double{mu}),
+                                             double{h} / moments.shell.thickness_km, 0, 6),
+                           moments.largest, loss);
     });
     expect_little_loss(lost, moments.certificate);
 }
@@ -214,10 +206,10 @@ TEST(IrradianceLookup, FloatLosesLittle) {
         const test::Loss lost = test::loss_at_places([&](test::Dice& dice, test::Loss& loss) {
             const float h = dice.altitude_km(table.shell.thickness_km);
             const float mu = table.sun(dice);
-            add_relative(in_float(h, mu),
-                         table.in_double(table.columns.coordinate(double{mu}),
-                                         std::sqrt(double{h} / table.shell.thickness_km)),
-                         table.largest, loss);
+            test::add_relative(in_float(h, mu),
+                               table.in_double(table.columns.coordinate(double{mu}),
+                                               std::sqrt(double{h} / table.shell.thickness_km)),
+                               table.largest, loss);
         });
         expect_little_loss(lost, table.baked.asset().certificate);
     }

@@ -2,7 +2,6 @@
 
 #include "bakers/field/image.h"
 #include "bakers/light/sky_view_mapping.h"
-#include "bakers/math/relative_error.h"
 #include "tests/lookups/lookup_trial.h"
 
 namespace skybake {
@@ -23,8 +22,7 @@ constexpr double kHalfPi = 0.5 * std::numbers::pi;
 // Closer to the horizon, in radians, a direction of floats does not tell sky from ground.
 constexpr double kUndecided = 5e-7;
 
-struct ViewPlace {
-    vec3 dir, up, sun;
+struct ViewPlace : test::EngineView {
     int k = 0;
 };
 
@@ -39,17 +37,10 @@ class SkyViewTrial {
         for (const float texel : texture_.texels) largest_ = std::max(largest_, double{texel});
     }
 
-    // A direction by its angle above the horizon and its azimuth from the sun k, in a frame of its
-    // own as any engine has one.
+    // A direction by its angle above the horizon and its azimuth from the sun k.
     ViewPlace place(double above_horizon, double azimuth, int k, const glm::dvec3& up) const {
-        const glm::dvec3 side = std::fabs(up.z) < 0.9 ? glm::dvec3{0, 0, 1} : glm::dvec3{1, 0, 0};
-        const glm::dvec3 ahead = glm::normalize(glm::cross(up, side));
-        const glm::dvec3 right = glm::cross(ahead, up);
-        const double elevation = above_horizon - camera_.dip();
         const double sun_elevation = kSuns[static_cast<std::size_t>(k)] * kHalfPi / 90;
-        const glm::dvec3 level = std::cos(azimuth) * ahead + std::sin(azimuth) * right;
-        return {vec3(std::cos(elevation) * level + std::sin(elevation) * up), vec3(up),
-                vec3(std::cos(sun_elevation) * ahead + std::sin(sun_elevation) * up), k};
+        return {test::engine_view(above_horizon - camera_.dip(), azimuth, sun_elevation, up), k};
     }
 
     ViewPlace any_place(test::Dice& dice) const {
@@ -98,12 +89,7 @@ class SkyViewTrial {
         return test::loss_at_places([&](test::Dice& dice, test::Loss& loss) {
             const ViewPlace at = any_place(dice);
             if (std::fabs(angle_of(at)) < kUndecided) return;
-            const vec3 found = lookup(at);
-            const std::array<double, 4> wanted = in_double(at);
-            for (int c = 0; c < 3; ++c) {
-                loss.add(relative_error(double{found[c]}, wanted[static_cast<std::size_t>(c)],
-                                        largest_));
-            }
+            test::add_relative(lookup(at), in_double(at), largest_, loss);
         });
     }
 
@@ -148,11 +134,11 @@ TEST(SkyViewLookup, ArcSinesWouldBeNoticed) {
 TEST(SkyViewLookup, HasAValueWhereThereIsNoAzimuth) {
     const SkyViewTrial trial(0.5);
     for (const float z : {-1.0f, 1.0f}) {
-        const ViewPlace at{{0, 0, z}, {0, 0, 1}, {1, 0, 0}, 0};
+        const ViewPlace at{{{0, 0, z}, {0, 0, 1}, {1, 0, 0}}, 0};
         const vec3 found = trial.in_float(at);
         const std::array<double, 4> wanted = trial.in_double(at);
         EXPECT_NEAR(found.x, wanted[0], 1e-5 * wanted[0]);
-        const vec3 sun_above = trial.in_float({{0.6f, 0, 0.8f * z}, {0, 0, 1}, {0, 0, 1}, 0});
+        const vec3 sun_above = trial.in_float({{{0.6f, 0, 0.8f * z}, {0, 0, 1}, {0, 0, 1}}, 0});
         EXPECT_TRUE(std::isfinite(sun_above.x));
     }
 }

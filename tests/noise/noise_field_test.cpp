@@ -6,7 +6,7 @@
 #include "bakers/math/quadrature.h"
 #include "bakers/noise/cell_kernel.h"
 #include "bakers/noise/gradient_kernel.h"
-#include "bakers/noise/pointwise_kernel.h"
+#include "bakers/noise/scattered_kernel.h"
 #include "tests/noise/every_target.h"
 
 namespace skybake::noise {
@@ -146,7 +146,7 @@ TEST(NoiseSpecification, PerlinIsZeroAtLatticePoints) {
     EXPECT_NE(noise_at(plan, {1, 1, 1})[0], 0);
 }
 
-// Where cells have four voxels or more, the voxels of a block share points (bump_kernel.h). Boxes begin
+// Where cells have four voxels or more, the voxels of a block share points (cell_kernel.h). Boxes begin
 // and end anywhere; a cell may be the whole tile, and points may move.
 TEST(Alligator, EqualsTheSpecificationWhereCellsAreWide) {
     struct Case {

@@ -10,23 +10,15 @@
 
 #include "bakers/occupancy/cloud_bits.h"
 #include "tests/occupancy/distance_reference.h"
+#include "tests/occupancy/distance_trial.h"
 #include "tests/support/every_target.h"
 
 namespace skybake::occupancy {
 namespace {
 
+using test::bits_of;
 using test::Edges;
 using test::Volume;
-
-VoxelBits bits_of(const Volume& volume, float threshold) {
-    VoxelBits bits(volume.grid.voxels);
-    for (int z = 0; z < volume.grid.voxels[2]; ++z) {
-        for (int y = 0; y < volume.grid.voxels[1]; ++y) {
-            bits.set_row(y, z, &volume.voxels[index_of(volume.grid.voxels, 0, y, z)], threshold);
-        }
-    }
-    return bits;
-}
 
 std::vector<float> squares_of(const VoxelBits& bits, const DistanceGrid& grid, CellKind kind,
                               int threads = 1) {

@@ -58,31 +58,17 @@ inline ColumnErrors errors_of(const config::Atmosphere& atmosphere,
                            bake.pixel_type, points);
 }
 
-// Planets from 50 km to 1e5 km, one to four layers: exponential, slab or tent.
+// One to four layers: exponential, slab or tent.
 inline config::Atmosphere random_shells() {
-    const double radius = log_uniform(5e4, 1e8);
-    const double thickness = radius * log_uniform(1e-3, 0.3);
-    config::Atmosphere atmosphere;
-    atmosphere.ground_radius = {radius};
-    atmosphere.top_radius = {radius + thickness};
-    atmosphere.ground_albedo = {0, 0, 0};
-    const int layers = *rc::gen::inRange(1, 5);
-    for (int i = 0; i < layers; ++i) {
-        config::Layer layer;
-        layer.name = std::string(1, static_cast<char>('a' + i));
+    return random_planet(4, [](double thickness, config::Layer& layer) {
         layer.profile = static_cast<config::Profile>(*rc::gen::inRange(0, 3));
         layer.scale_height = {thickness * log_uniform(1e-3, 1)};
-        layer.center_altitude = {thickness * uniform(0.1, 0.6)};
         layer.half_width = {thickness * uniform(0.01, 0.4)};
         layer.bottom_altitude = {thickness * uniform(0, 0.5)};
         layer.top_altitude = {layer.bottom_altitude.meters + thickness * uniform(0.01, 0.5)};
-        for (int c = 0; c < 3; ++c) {
-            layer.scattering.push_back({1 / thickness});
-            layer.extinction.push_back({1 / thickness});
-        }
-        atmosphere.layers.push_back(layer);
-    }
-    return atmosphere;
+        layer.scattering.assign(3, {1 / thickness});
+        layer.extinction.assign(3, {1 / thickness});
+    });
 }
 
 inline std::vector<std::string> names_of(const config::Atmosphere& atmosphere) {

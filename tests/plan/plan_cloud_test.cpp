@@ -1,6 +1,5 @@
 #include "bakers/plan/plan.h"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,24 +19,18 @@ const std::string kScene =
     "detail_scale = [4, 4, 2]\n[clouds.c.convection]\ncells = [32, 32, 16]\npatches = 4\n"
     "[bake.c]\nasset = \"cloud_volume\"\ncloud = \"c\"\nsize = [64, 64, 32]\n";
 
-PlanRequest request_of(const std::string& text) {
+PlanRequest request_of_scene(const std::string& setting = "") {
     PlanRequest request;
-    request.load = [text](std::span<const std::string> settings) {
-        return config::parse_recipe(text, "scene", {}, settings);
+    request.load = [setting](std::span<const std::string> settings) {
+        std::vector<std::string> all(settings.begin(), settings.end());
+        if (!setting.empty()) all.push_back(setting);
+        return config::parse_recipe(kScene, "scene", {}, all);
     };
     request.paths = 1 << 18;
     return request;
 }
 
-PlanRequest request_with_sun() {
-    PlanRequest request = request_of(kScene);
-    request.load = [](std::span<const std::string> settings) {
-        std::vector<std::string> all(settings.begin(), settings.end());
-        all.emplace_back("scene.suns=[\"35 deg\"]");
-        return config::parse_recipe(kScene, "scene", {}, all);
-    };
-    return request;
-}
+PlanRequest request_with_sun() { return request_of_scene("scene.suns=[\"35 deg\"]"); }
 
 // 100 voxels, as a quarter of 400 is, have no cells of 8.
 TEST(CloudWays, HaveCellsThatTileTheirVoxels) {
@@ -155,7 +148,7 @@ TEST(PlanCloud, MeasuresWaysAndChooses) {
 
 // Without suns of its own a scene has those of a day, and no light of one sun alone.
 TEST(PlanCloud, AnySunLeavesOutTheLightOfOne) {
-    PlanRequest request = request_of(kScene);
+    PlanRequest request = request_of_scene();
     request.paths = 1 << 12;
     const auto any = plan_cloud(request, "c");
     ASSERT_TRUE(any.value);
@@ -169,13 +162,8 @@ TEST(PlanCloud, AnySunLeavesOutTheLightOfOne) {
 TEST(PlanCloud, NightsAndCloudsThatNobodySeesHaveNoPlan) {
     for (const char* setting :
          {"scene.suns=[\"-5 deg\"]", "clouds.c.extinction_scale=\"1e-9 /km\""}) {
-        PlanRequest request = request_of(kScene);
+        PlanRequest request = request_of_scene(setting);
         request.paths = 1 << 12;
-        request.load = [&](std::span<const std::string> settings) {
-            std::vector<std::string> all(settings.begin(), settings.end());
-            all.emplace_back(setting);
-            return config::parse_recipe(kScene, "scene", {}, all);
-        };
         const auto none = plan_cloud(request, "c");
         EXPECT_FALSE(none.value) << setting;
         ASSERT_EQ(none.diagnostics.size(), 1u) << setting;

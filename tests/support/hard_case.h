@@ -22,4 +22,13 @@ inline void hold(const std::string& name, const std::string& against, double err
     }
 }
 
+// Holds what `bake(threads)` returns on 2 and 7 threads to what it returns on one.
+template <class Bake>
+void hold_on_threads(const std::string& what, const Bake& bake) {
+    const auto one = bake(1);
+    int different = 0;
+    for (const int threads : {2, 7}) different += bake(threads) != one ? 1 : 0;
+    hold("21 " + what + " on 1, 2 and 7 threads", "same bits (count of differences)", different, 0);
+}
+
 }  // namespace skybake::test

@@ -9,12 +9,13 @@
 
 namespace skybake::test {
 
-// Returns the value of an outcome without errors; warnings may accompany it.
+// Returns the value of an outcome without errors; lesser diagnostics may accompany it.
 template <class T>
-T without_errors(config::Outcome<T> outcome) {
+T without_errors(config::Outcome<T> outcome,
+                 config::Severity unexpected = config::Severity::error) {
     EXPECT_TRUE(outcome.value.has_value());
     for (const config::Diagnostic& found : outcome.diagnostics) {
-        if (found.severity == config::Severity::error) {
+        if (found.severity == config::Severity::error || found.severity == unexpected) {
             ADD_FAILURE() << found.code << ": " << found.message;
         }
     }
@@ -24,12 +25,7 @@ T without_errors(config::Outcome<T> outcome) {
 // Returns the value of an outcome about which no diagnostic is said.
 template <class T>
 T without_diagnostics(config::Outcome<T> outcome) {
-    for (const config::Diagnostic& found : outcome.diagnostics) {
-        if (found.severity == config::Severity::warning) {
-            ADD_FAILURE() << found.code << ": " << found.message;
-        }
-    }
-    return without_errors(std::move(outcome));
+    return without_errors(std::move(outcome), config::Severity::warning);
 }
 
 }  // namespace skybake::test

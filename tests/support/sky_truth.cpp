@@ -62,17 +62,25 @@ std::optional<SkyTruth> parse_line(std::string_view line) {
 
 }  // namespace
 
-std::vector<SkyTruthDirection> sky_truth_directions(double altitude_km) {
+std::vector<SkyTruthDirection> sky_truth_directions(double altitude_km,
+                                                    const std::vector<double>& suns,
+                                                    const std::vector<double>& views,
+                                                    const std::vector<double>& azimuths) {
     std::vector<SkyTruthDirection> directions;
-    for (const double sun : {0., 30., 60., 80., 85., 88., 90., 92., 94., 96.}) {
-        for (const double view : {0., 30., 60., 75., 85., 88., 89.5}) {
-            for (const double azimuth : {0., 90., 180.}) {
+    for (const double sun : suns) {
+        for (const double view : views) {
+            for (const double azimuth : azimuths) {
                 if (azimuth > 0 && (sun == 0 || view == 0)) continue;
                 directions.push_back({altitude_km, sun, view, azimuth});
             }
         }
     }
     return directions;
+}
+
+std::vector<SkyTruthDirection> sky_truth_directions(double altitude_km) {
+    return sky_truth_directions(altitude_km, {0, 30, 60, 80, 85, 88, 90, 92, 94, 96},
+                                {0, 30, 60, 75, 85, 88, 89.5}, {0, 90, 180});
 }
 
 std::vector<SkyTruth> trace_sky_truth(const SkyMedium& medium,

@@ -22,6 +22,12 @@ struct SkyTruthDirection {
     bool operator==(const SkyTruthDirection&) const = default;
 };
 
+// Returns all directions with these angles in degrees that differ.
+std::vector<SkyTruthDirection> sky_truth_directions(double altitude_km,
+                                                    const std::vector<double>& suns,
+                                                    const std::vector<double>& views,
+                                                    const std::vector<double>& azimuths);
+
 // Returns 178 directions: suns from the zenith to 6 degrees below the horizon, and views from the
 // zenith to half a degree above the horizon, towards the sun, across and away from it where these
 // differ.

@@ -66,6 +66,23 @@ inline std::vector<std::vector<float>> planes_of(const VoxelSource& source, cons
     return planes;
 }
 
+// Whether the voxels of a box are those of the whole volume of this size, channel by channel.
+inline bool is_part_of(const std::vector<std::vector<float>>& whole, const VoxelSource& source,
+                       const std::array<int, 3>& size, const VoxelBox& box) {
+    const std::vector<std::vector<float>> part = planes_of(source, box, whole.size());
+    std::size_t i = 0;
+    bool is_equal = true;
+    for_each_voxel(box.size, [&](int x, int y, int z) {
+        const int row = (box.origin[2] + z) * size[1] + box.origin[1] + y;
+        const auto at = static_cast<std::size_t>(row * size[0] + box.origin[0] + x);
+        for (std::size_t c = 0; c < whole.size(); ++c) {
+            is_equal = is_equal && part[c][i] == whole[c][at];
+        }
+        ++i;
+    });
+    return is_equal;
+}
+
 // Returns the values of one channel of level 0, without asking for the others.
 inline std::vector<float> voxels_of(const Baked& volume, std::size_t channel) {
     const Level& level = volume.levels.front();

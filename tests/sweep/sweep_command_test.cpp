@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -289,20 +288,6 @@ TEST(SweepTasks, CommandsRunFromAnyFolder) {
     EXPECT_TRUE(fs::is_empty(folder.folder / "elsewhere"));
 }
 
-pid_t start(const Strings& words) {
-    Strings all = words;
-    all.insert(all.begin(), SKYBAKE_PROGRAM);
-    std::vector<char*> arguments;
-    for (std::string& word : all) arguments.push_back(word.data());
-    arguments.push_back(nullptr);
-    const pid_t child = ::fork();
-    if (child != 0) return child;
-    ::close(STDOUT_FILENO);
-    ::close(STDERR_FILENO);
-    ::execv(SKYBAKE_PROGRAM, arguments.data());
-    ::_exit(126);
-}
-
 int manifests_in(const fs::path& folder) {
     int count = 0;
     std::error_code error;
@@ -318,13 +303,10 @@ TEST(SweepCommand, GoesOnAfterAKill) {
     const Strings vary = {"--vary", "noise.n.seed=1:5:5", "--vary", "clouds.c.coverage=0.5:0.9:8"};
     const Strings words = folder.words(vary);
     for (const int enough : {1, 6, 15, 30}) {
-        const pid_t child = start(words);
-        int status = 0;
-        while (manifests_in(folder.out()) < enough && ::waitpid(child, &status, WNOHANG) == 0) {
+        const testing::RunningProgram program(words);
+        while (manifests_in(folder.out()) < enough && !program.has_ended()) {
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
         }
-        ::kill(child, SIGKILL);
-        ::waitpid(child, &status, 0);
     }
     const int there = manifests_in(folder.out());
     EXPECT_GE(there, 30);

@@ -71,6 +71,12 @@ std::string problem_of_nvdb(const std::filesystem::path& path,
     return testing::reason_of(voxels);
 }
 
+std::string problem_of_nvdb(const Handle& handle) {
+    const TemporaryFolder folder;
+    nanovdb::io::writeGrid((folder / "v.nvdb").string(), handle);
+    return problem_of_nvdb(folder / "v.nvdb");
+}
+
 TEST(NvdbGrid, HasTheVoxelsOfNanoVdb) {
     for (const float background : {0.0F, 0.125F, -1.0F}) {
         const FloatGrid::Ptr grid = any_grid(background);
@@ -206,13 +212,11 @@ TEST(NvdbGridRefused, InWordsThatSayWhatItIs) {
     const auto vectors = openvdb::Vec3SGrid::create(openvdb::Vec3f(0));
     vectors->setName("density");
     vectors->tree().setValue(Coord(1, 2, 3), openvdb::Vec3f(1));
-    nanovdb::io::writeGrid((folder / "v.nvdb").string(), nanovdb::openToNanoVDB(*vectors));
-    EXPECT_TRUE(problem_of_nvdb(folder / "v.nvdb")
+    EXPECT_TRUE(problem_of_nvdb(nanovdb::openToNanoVDB(*vectors))
                     .starts_with("its grid `density` holds vec3f; `nanovdb_convert"));
     const FloatGrid::Ptr empty = FloatGrid::create(0);
     empty->setName("density");
-    nanovdb::io::writeGrid((folder / "v.nvdb").string(), converted<float>(*empty));
-    EXPECT_EQ(problem_of_nvdb(folder / "v.nvdb"), "it has no active voxels");
+    EXPECT_EQ(problem_of_nvdb(converted<float>(*empty)), "it has no active voxels");
     testing::write_grid(any_grid(), folder / "v.nvdb");
     EXPECT_EQ(problem_of_nvdb(folder / "v.nvdb"),
               "it begins with neither `NanoVDB0` nor `NanoVDB2`");
@@ -220,21 +224,17 @@ TEST(NvdbGridRefused, InWordsThatSayWhatItIs) {
          {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
         const FloatGrid::Ptr voxel = any_grid();
         voxel->tree().setValue(Coord(3, 4, 5), value);
-        nanovdb::io::writeGrid((folder / "v.nvdb").string(), converted<float>(*voxel));
-        EXPECT_TRUE(problem_of_nvdb(folder / "v.nvdb").starts_with("its voxel (3, 4, 5) is "));
+        EXPECT_TRUE(
+            problem_of_nvdb(converted<float>(*voxel)).starts_with("its voxel (3, 4, 5) is "));
         const FloatGrid::Ptr tile = any_grid();
         tile->tree().addTile(2, Coord(1024, 0, 0), value, true);
-        nanovdb::io::writeGrid((folder / "v.nvdb").string(), converted<float>(*tile));
-        EXPECT_EQ(problem_of_nvdb(folder / "v.nvdb"), "a tile of it is not finite");
+        EXPECT_EQ(problem_of_nvdb(converted<float>(*tile)), "a tile of it is not finite");
     }
 }
 
 TEST(NvdbGridRefused, WhereItsTransformIsNoBoxAlongTheAxes) {
-    const TemporaryFolder folder;
     const auto with = [&](auto&& change) {
-        nanovdb::io::writeGrid((folder / "v.nvdb").string(),
-                               converted<float>(*testing::transformed_grid(change)));
-        return problem_of_nvdb(folder / "v.nvdb");
+        return problem_of_nvdb(converted<float>(*testing::transformed_grid(change)));
     };
     EXPECT_EQ(with([](auto&) {}), "");
     EXPECT_EQ(with([](auto& t) { t.postRotate(0.1, openvdb::math::Z_AXIS); }),
@@ -265,23 +265,19 @@ TEST(NvdbGrid, MayBeOfLaterReleases) {
 
 // A file in which a node is listed twice could take memory that the file does not fill.
 TEST(NvdbGridRefused, WhereANodeIsListedTwice) {
-    const TemporaryFolder folder;
     Handle handle = converted<float>(*any_grid());
     auto* root = handle.grid<float>()->tree().root().data();
     ASSERT_GT(root->mTableSize, 1U);
     root->tile(1)->key = root->tile(0)->key;
     root->tile(1)->child = root->tile(0)->child;
-    nanovdb::io::writeGrid((folder / "v.nvdb").string(), handle);
-    EXPECT_EQ(problem_of_nvdb(folder / "v.nvdb"), "nodes are listed twice");
+    EXPECT_EQ(problem_of_nvdb(handle), "nodes are listed twice");
 }
 
 TEST(NvdbGridRefused, WhereItsBoundsLeaveOutVoxels) {
-    const TemporaryFolder folder;
     Handle handle = converted<float>(*any_grid());
     auto* root = handle.grid<float>()->tree().root().data();
     root->mBBox.max()[0] = 3;
-    nanovdb::io::writeGrid((folder / "v.nvdb").string(), handle);
-    EXPECT_EQ(problem_of_nvdb(folder / "v.nvdb"), "it has active voxels beyond its bounds");
+    EXPECT_EQ(problem_of_nvdb(handle), "it has active voxels beyond its bounds");
 }
 
 TEST(NvdbGridRefused, WhereverItEnds) {

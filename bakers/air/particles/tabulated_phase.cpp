@@ -185,16 +185,6 @@ double largest_difference(const std::vector<double>& before, const std::vector<d
     return worst;
 }
 
-std::vector<double> interleaved(const std::vector<double>& nodes,
-                                const std::vector<double>& middles) {
-    std::vector<double> result = {nodes.front()};
-    for (std::size_t i = 0; i < middles.size(); ++i) {
-        result.push_back(middles[i]);
-        result.push_back(nodes[i + 1]);
-    }
-    return result;
-}
-
 }  // namespace
 
 TabulatedPhase normalised_phase(std::vector<double> forward, std::vector<double> backward) {
@@ -285,8 +275,8 @@ PhaseHalves interpolated_middles(const PhaseHalves& nodes) {
 PhaseHalves interleaved(const PhaseHalves& nodes, const PhaseHalves& middles) {
     assert(nodes.forward.size() == middles.forward.size() + 1);
     assert(nodes.backward.size() == middles.backward.size() + 1);
-    return {interleaved(nodes.forward, middles.forward),
-            interleaved(nodes.backward, middles.backward)};
+    return {interleaved(nodes.forward, middles.forward.data()),
+            interleaved(nodes.backward, middles.backward.data())};
 }
 
 PhaseInterpolation::PhaseInterpolation(const PhaseHalves& nodes)

@@ -171,10 +171,8 @@ std::optional<TracedLight> traced(const Parameters& parameters,
     const auto trace_of = [&](std::shared_ptr<const TracedAir> air) {
         return trace_of_air(std::move(air), views, asset.orders);
     };
-    const auto places_in = [&](const StoredTexels& stored) {
-        return places(parameters, asset, stored);
-    };
-    return TracedLight{light_channels(parameters), at, light_looked_up(places_in, at),
+    return TracedLight{light_channels(parameters), at,
+                       light_looked_up(places, parameters, asset, at),
                        traces_of_packets(parameters, trace_of)};
 }
 

@@ -84,6 +84,47 @@ std::shared_ptr<const VoxelArray> mask_voxels(const BlueNoiseBake& bake,
     return std::make_shared<VoxelArray>(bake.voxels(), std::vector<std::vector<float>>{values});
 }
 
+Outcome<Baked> bake(const Parameters&, const BlueNoiseBake& asset, const BakeOptions& options,
+                    AssetLabel label) {
+    return bake_blue_noise(asset, options, labelled_volume(std::move(label)));
+}
+
+Estimate estimate(const Parameters&, const BlueNoiseBake& asset) {
+    constexpr double kSecondsPerVoxel = 2.5e-6;
+    constexpr double kBytesPerVoxel = 21;  // energies in tiles of 8 x 8 pixels, twice, and ranks
+    std::array<int, 3> tiled = asset.voxels();
+    constexpr int kEdge = noise::kTileEdge;
+    for (std::size_t i = 0; i < 2; ++i) tiled[i] = (tiled[i] + kEdge - 1) / kEdge * kEdge;
+    Estimate result = estimate_volume(asset, asset.voxels(), 1, kSecondsPerVoxel);
+    result.memory_mib += voxels_of(tiled, 1) * kBytesPerVoxel / kMebibyte;
+    return result;
+}
+
+AssetPlaces places(const Parameters&, const BlueNoiseBake& asset, const StoredTexels&) {
+    return single_lookup({"x_px", "y_px", "frame"}, [size = asset.voxels()](const Place& at) {
+        Uvw uvw;
+        for (std::size_t i = 0; i < 3; ++i) uvw[i] = at[i].second / size[i];
+        return uvw;
+    });
+}
+
+AssetLookup lookup(const Parameters&, const BlueNoiseBake&, const StoredTexels& stored) {
+    GlslFunction function;
+    function.comment =
+        "Returns the value of a pixel, such as gl_FragCoord.xy, in a frame: the number of the "
+        "frame or any number between that and the next. Both may be beyond the mask, which "
+        "repeats.";
+    function.arguments = "sampler3D table, vec2 pixel, float frame";
+    function.value = fmt::format("blue_noise(table, {}, pixel, frame)", glsl_size(stored.size));
+    return {"blue_noise", {with_channels(stored.channels, 4, std::move(function))}};
+}
+
+// A mask of 64 x 64 pixels and 8 frames takes a twentieth of a second.
+void draft(BlueNoiseBake& asset, int) {
+    for (int& edge : asset.size) edge = std::min(edge, 64);
+    asset.frames = std::min(asset.frames, 8);
+}
+
 }  // namespace
 
 float mask_value(std::uint32_t rank, std::size_t pixels, PixelType type) {
@@ -127,51 +168,6 @@ Outcome<Baked> bake_blue_noise(const BlueNoiseBake& bake, const BakeOptions& opt
                                 int) { return place_of(bake.voxels(), uvw); }},
         options);
 }
-
-namespace {
-
-Outcome<Baked> bake(const Parameters&, const BlueNoiseBake& asset, const BakeOptions& options,
-                    AssetLabel label) {
-    return bake_blue_noise(asset, options, labelled_volume(std::move(label)));
-}
-
-Estimate estimate(const Parameters&, const BlueNoiseBake& asset) {
-    constexpr double kSecondsPerVoxel = 2.5e-6;
-    constexpr double kBytesPerVoxel = 21;  // energies in tiles of 8 x 8 pixels, twice, and ranks
-    std::array<int, 3> tiled = asset.voxels();
-    constexpr int kEdge = noise::kTileEdge;
-    for (std::size_t i = 0; i < 2; ++i) tiled[i] = (tiled[i] + kEdge - 1) / kEdge * kEdge;
-    Estimate result = estimate_volume(asset, asset.voxels(), 1, kSecondsPerVoxel);
-    result.memory_mib += voxels_of(tiled, 1) * kBytesPerVoxel / kMebibyte;
-    return result;
-}
-
-AssetPlaces places(const Parameters&, const BlueNoiseBake& asset, const StoredTexels&) {
-    return single_lookup({"x_px", "y_px", "frame"}, [size = asset.voxels()](const Place& at) {
-        Uvw uvw;
-        for (std::size_t i = 0; i < 3; ++i) uvw[i] = at[i].second / size[i];
-        return uvw;
-    });
-}
-
-AssetLookup lookup(const Parameters&, const BlueNoiseBake&, const StoredTexels& stored) {
-    GlslFunction function;
-    function.comment =
-        "Returns the value of a pixel, such as gl_FragCoord.xy, in a frame: the number of the "
-        "frame or any number between that and the next. Both may be beyond the mask, which "
-        "repeats.";
-    function.arguments = "sampler3D table, vec2 pixel, float frame";
-    function.value = fmt::format("blue_noise(table, {}, pixel, frame)", glsl_size(stored.size));
-    return {"blue_noise", {with_channels(stored.channels, 4, std::move(function))}};
-}
-
-// A mask of 64 x 64 pixels and 8 frames takes a twentieth of a second.
-void draft(BlueNoiseBake& asset, int) {
-    for (int& edge : asset.size) edge = std::min(edge, 64);
-    asset.frames = std::min(asset.frames, 8);
-}
-
-}  // namespace
 
 Baker<BlueNoiseBake> baker(BakerTag<BlueNoiseBake>) {
     return {.version = 1,

@@ -133,24 +133,13 @@ AssetLookup lookup(const Parameters& parameters, const BrunetonBake& asset,
 std::optional<TracedLight> traced_irradiance(const Parameters& parameters,
                                              const BrunetonBake& asset) {
     const std::vector<LevelSample> samples = level_samples(shell_of(parameters.atmosphere));
-    const auto found = [=, &parameters, &asset](const Baked& baked, int threads) {
-        const auto places_in = [&](const StoredTexels& stored) {
-            return places(parameters, asset, stored);
-        };
-        std::vector<Spectrum> light =
-            light_looked_up(places_in, irradiance_probes_at(samples))(baked, threads);
-        for (Spectrum& one : light) {
-            for (std::size_t c = 0; c < asset.solar_irradiance.size(); ++c) {
-                one[c] /= asset.solar_irradiance[c];
-            }
-        }
-        return light;
-    };
-    return TracedLight{light_channels(parameters), places_of(samples), found,
-                       traces_of_packets(parameters, [&](std::shared_ptr<const TracedAir> air) {
-                           return trace_of_irradiance(std::move(air), samples,
-                                                      config::SkyOrders::all);
-                       })};
+    return TracedLight{
+        light_channels(parameters), places_of(samples),
+        per_irradiance(light_looked_up(places, parameters, asset, irradiance_probes_at(samples)),
+                       asset.solar_irradiance),
+        traces_of_packets(parameters, [&](std::shared_ptr<const TracedAir> air) {
+            return trace_of_irradiance(std::move(air), samples, config::SkyOrders::all);
+        })};
 }
 
 // Cameras near the ground, in the middle of the air and high above, under suns of the table.

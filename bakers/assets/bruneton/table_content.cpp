@@ -45,6 +45,45 @@ double middle_share(const std::vector<double>& logarithms, const std::vector<boo
     return exponential(middle) / (0.5 * (line[i] + line[i + 1]));
 }
 
+// Whether the phase functions of the first Mie layer differ between wavelengths.
+bool has_spectral_phase(const std::vector<const ScatteringContent*>& packets) {
+    for (const double nu : {-1.0, 0.3, 1.0}) {
+        const double first = packets.front()->mie_phase(nu)[0];
+        for (const ScatteringContent* packet : packets) {
+            const Spectrum phase = packet->mie_phase(nu);
+            for (std::size_t c = 0; c < packet->wavelengths(); ++c) {
+                if (phase[c] != first) return true;
+            }
+        }
+    }
+    return false;
+}
+
+// The light of a packet's wavelengths in all texels, and after it, in combined tables, the Mie
+// layers'.
+VoxelArray packet_texels(const ScatteringContent& content, const ScatteringMapping& mapping,
+                         const TableParts& parts) {
+    const std::size_t count = content.wavelengths();
+    VoxelArray texels(mapping.size(), content.holds_mie() ? 2 * count : count);
+    for (std::size_t i = 0; i < texels.channel(0).size(); ++i) {
+        const ScatteringParts at = parts.at(i);
+        const Spectrum light = content.light(at);
+        const Spectrum mie = ScatteringContent::mie_light(at);
+        for (std::size_t c = 0; c < texels.channels(); ++c) {
+            texels.channel(c)[i] = static_cast<float>(c < count ? light[c] : mie[c - count]);
+        }
+    }
+    return texels;
+}
+
+PacketOfTexel packet_at(const VoxelArray& texels, std::size_t count, std::size_t texel) {
+    PacketOfTexel packet;
+    for (std::size_t c = 0; c < texels.channels(); ++c) {
+        (c < count ? packet.light[c] : packet.mie[c - count]) = texels.channel(c)[texel];
+    }
+    return packet;
+}
+
 }  // namespace
 
 std::vector<double> lookup_scales(const std::vector<double>& line) {
@@ -114,49 +153,6 @@ void fit_lookups(const ScatteringMapping& mapping, std::size_t channels, const B
         });
     }
 }
-
-namespace {
-
-// Whether the phase functions of the first Mie layer differ between wavelengths.
-bool has_spectral_phase(const std::vector<const ScatteringContent*>& packets) {
-    for (const double nu : {-1.0, 0.3, 1.0}) {
-        const double first = packets.front()->mie_phase(nu)[0];
-        for (const ScatteringContent* packet : packets) {
-            const Spectrum phase = packet->mie_phase(nu);
-            for (std::size_t c = 0; c < packet->wavelengths(); ++c) {
-                if (phase[c] != first) return true;
-            }
-        }
-    }
-    return false;
-}
-
-// The light of a packet's wavelengths in all texels, and after it, in combined tables, the Mie
-// layers'.
-VoxelArray packet_texels(const ScatteringContent& content, const ScatteringMapping& mapping,
-                         const TableParts& parts) {
-    const std::size_t count = content.wavelengths();
-    VoxelArray texels(mapping.size(), content.holds_mie() ? 2 * count : count);
-    for (std::size_t i = 0; i < texels.channel(0).size(); ++i) {
-        const ScatteringParts at = parts.at(i);
-        const Spectrum light = content.light(at);
-        const Spectrum mie = ScatteringContent::mie_light(at);
-        for (std::size_t c = 0; c < texels.channels(); ++c) {
-            texels.channel(c)[i] = static_cast<float>(c < count ? light[c] : mie[c - count]);
-        }
-    }
-    return texels;
-}
-
-PacketOfTexel packet_at(const VoxelArray& texels, std::size_t count, std::size_t texel) {
-    PacketOfTexel packet;
-    for (std::size_t c = 0; c < texels.channels(); ++c) {
-        (c < count ? packet.light[c] : packet.mie[c - count]) = texels.channel(c)[texel];
-    }
-    return packet;
-}
-
-}  // namespace
 
 TableContent::TableContent(std::vector<const ScatteringContent*> packets,
                            std::vector<glm::dvec3> weights, std::vector<double> solar_irradiance)

@@ -28,25 +28,7 @@ using occupancy::VoxelBits;
 constexpr int kPoints = 65536;
 constexpr int kRays = 10000;
 
-// The parameters in an asset's entry.
-struct Distances {
-    CloudDistanceBake bake;
-    std::array<int, 3> voxels{};
-    std::array<double, 3> voxel_m{};
-    float threshold = 0;
-};
-
-// None where the entry is not what a bake writes.
-std::optional<Distances> distances_of(const ManifestAsset& asset) {
-    const auto recipe = recorded_recipe(asset);
-    const auto* bake = recipe ? recorded_bake<CloudDistanceBake>(*recipe, asset) : nullptr;
-    if (bake == nullptr) return std::nullopt;
-    const Parameters& parameters = recipe->parameters;
-    // A recipe that was read names a cloud volume of a cloud that is there.
-    const auto& of = bake_named(parameters, bake->of).as<CloudVolumeBake>();
-    const Cloud& cloud = cloud_named(parameters, of.cloud);
-    return Distances{*bake, of.size, config::voxel_edges(cloud, of), filtered_threshold(cloud)};
-}
+using Distances = RecordedSource<CloudDistanceBake>;
 
 // The first channel of a file; nothing where it cannot be read, which fails elsewhere.
 std::optional<std::vector<float>> stored_distances(const std::filesystem::path& folder,
@@ -94,18 +76,20 @@ std::string fault_of(const std::filesystem::path& folder, const ManifestAsset& a
     if (file == nullptr || voxels_file == nullptr) return "";
     const std::optional<std::size_t> channel = channel_in(volume, wanted.bake.channel);
     if (!channel) return fmt::format("{} has no channel {}", volume.name, wanted.bake.channel);
-    const std::array<int, 3> texels = occupancy::CellGrid{wanted.voxels, wanted.bake.cell}.size();
-    if (volume.levels.front().size != wanted.voxels || asset.levels.front().size != texels) {
+    const std::array<int, 3>& voxels = wanted.of.size;
+    const std::array<int, 3> texels = occupancy::CellGrid{voxels, wanted.bake.cell}.size();
+    if (volume.levels.front().size != voxels || asset.levels.front().size != texels) {
         return fmt::format("its texels do not cover {} at {} voxels per texel", volume.name,
                            wanted.bake.cell);
     }
+    const std::array<double, 3> voxel_m = config::voxel_edges(wanted.cloud, wanted.of);
     const auto distances = stored_distances(folder, asset, *file);
-    const auto bits = stored_bits(folder, volume, *voxels_file, *channel, wanted.threshold);
+    const auto bits =
+        stored_bits(folder, volume, *voxels_file, *channel, filtered_threshold(wanted.cloud));
     if (!distances || !bits) return "";
     const occupancy::DistanceCheckResult found = check_distances(
-        {texels, distances->data(), wanted.bake.cell}, distance_code(wanted.bake, wanted.voxel_m),
-        occupancy::NearestVoxel(*bits, wanted.voxel_m), wanted.voxels, wanted.voxel_m, kPoints,
-        kRays, {});
+        {texels, distances->data(), wanted.bake.cell}, distance_code(wanted.bake, voxel_m),
+        occupancy::NearestVoxel(*bits, voxel_m), voxels, voxel_m, kPoints, kRays, {});
     if (!found.failed()) return "";
     return fmt::format(
         "of {} distances to {}, {} are too far and {} are nearer than they need be, by up to "
@@ -118,7 +102,7 @@ std::string fault_of(const std::filesystem::path& folder, const ManifestAsset& a
 std::vector<VerifyFailure> check_folder(const Manifest& manifest,
                                         const std::filesystem::path& folder, int& checks) {
     return check_against_volumes(
-        manifest, "cloud_distance", "distance", checks, distances_of,
+        manifest, "cloud_distance", "distance", checks, recorded_source<CloudDistanceBake>,
         [&](const ManifestAsset& asset, const ManifestAsset& volume, const Distances& wanted) {
             return fault_of(folder, asset, volume, wanted);
         });

@@ -148,21 +148,6 @@ CloudLightTruth truth_of_depths(const CloudLayer& layer, const CloudLightBake& b
     return truth;
 }
 
-}  // namespace
-
-CloudLightTruth cloud_light_truth(const CloudLayer& layer, const CloudLightBake& bake,
-                                  int threads) {
-    CloudLightTruth truth = config::is_radiance(bake.contents)
-                                ? radiance_truth(layer, bake, threads)
-                                : truth_of_depths(layer, bake);
-    if (bake.contents == CloudLightContents::shadow) return truth;
-    truth.name += ", at places that are as dense as the cloud";
-    truth.comparison.lookup_place = PlacesInCloud(layer);
-    return truth;
-}
-
-namespace {
-
 using Uvw = std::array<double, 3>;
 
 // The true values at the places of all lookups, which do not depend on the cell.
@@ -283,6 +268,17 @@ class CellSearch {
 };
 
 }  // namespace
+
+CloudLightTruth cloud_light_truth(const CloudLayer& layer, const CloudLightBake& bake,
+                                  int threads) {
+    CloudLightTruth truth = config::is_radiance(bake.contents)
+                                ? radiance_truth(layer, bake, threads)
+                                : truth_of_depths(layer, bake);
+    if (bake.contents == CloudLightContents::shadow) return truth;
+    truth.name += ", at places that are as dense as the cloud";
+    truth.comparison.lookup_place = PlacesInCloud(layer);
+    return truth;
+}
 
 Outcome<int> largest_cell(const CloudLayer& layer, const CloudLightBake& bake,
                           const std::string& name, const BakeOptions& options) {

@@ -152,18 +152,9 @@ std::optional<TracedLight> traced(const Parameters& parameters, const Environmen
         at.push_back({{"azimuth_deg", std::remainder(azimuth_deg, 360)},
                       {"elevation_deg", sample.above_horizon_deg - dip_deg}});
     }
-    const auto places_in = [&](const StoredTexels& stored) {
-        return places(parameters, asset, stored);
-    };
-    const LightAtPlaces stored = light_looked_up(places_in, std::move(at));
-    const auto found = [stored, sun = solar_irradiance_of(asset)](const Baked& baked, int threads) {
-        std::vector<Spectrum> light = stored(baked, threads);
-        for (Spectrum& one : light) {
-            for (std::size_t c = 0; c < sun.size(); ++c) one[c] /= sun[c];
-        }
-        return light;
-    };
-    return traced_sky(parameters, samples, asset.orders, found);
+    return traced_sky(parameters, samples, asset.orders,
+                      per_irradiance(light_looked_up(places, parameters, asset, std::move(at)),
+                                     solar_irradiance_of(asset)));
 }
 
 void draft(EnvironmentBake& asset, int) {

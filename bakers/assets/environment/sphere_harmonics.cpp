@@ -33,6 +33,64 @@ void for_each_texel(const Image2<float>& map, const EnvironmentLayout& layout, c
     }
 }
 
+constexpr int kLightDigits = 9;
+
+// A list of JSON.
+template <class Numbers>
+std::string list_of(const Numbers& numbers) {
+    std::vector<double> rounded(numbers.begin(), numbers.end());
+    return fmt::format("[{}]", fmt::join(to_digits(std::move(rounded), kLightDigits), ", "));
+}
+
+std::string lux_member(const Baked& table, const char* name, const std::vector<double>& channels) {
+    // Another solar irradiance may be in any unit.
+    const bool is_of_one = table.conventions.radiance_unit == "1/sr";
+    if (!table.conventions.color || !is_of_one) return "";
+    const std::optional<double> lux = lux_of(*table.conventions.color, channels);
+    return lux ? fmt::format(",\n    \"{}_lux\": {}", name, to_digits(*lux, kLightDigits)) : "";
+}
+
+glm::dvec3 sun_direction(const config::EnvironmentBake& bake) {
+    return direction_of_angles({bake.sun_azimuth.radians, bake.sun_elevation.radians});
+}
+
+std::string sun_json(const EnvironmentLights& lights, const config::EnvironmentBake& bake,
+                     const Baked& table) {
+    const glm::dvec3 sun = sun_direction(bake);
+    const auto degrees = [](config::Angle angle) {
+        return to_digits(angle.radians * kDegreesPerRadian, kLightDigits);
+    };
+    return fmt::format(
+        "  \"sun\": {{\n"
+        "    \"direction\": {},\n"
+        "    \"azimuth_deg\": {},\n"
+        "    \"elevation_deg\": {},\n"
+        "    \"disc_in_map\": {},\n"
+        "    \"irradiance\": {},\n"
+        "    \"irradiance_of_level_surface\": {}{}{}\n"
+        "  }}",
+        list_of(std::array{sun.x, sun.y, sun.z}), degrees(bake.sun_azimuth),
+        degrees(bake.sun_elevation), bake.sun == config::SunInMap::disc, list_of(lights.sun_facing),
+        list_of(lights.sun_level), lux_member(table, "illuminance", lights.sun_facing),
+        lux_member(table, "illuminance_of_level_surface", lights.sun_level));
+}
+
+std::string harmonics_json(const EnvironmentLights& lights) {
+    std::string text;
+    for (const auto& channel : lights.harmonics) {
+        text += fmt::format("{}      {}", text.empty() ? "" : ",\n", list_of(channel));
+    }
+    return fmt::format(
+        "  \"spherical_harmonics\": {{\n"
+        "    \"degree\": {},\n"
+        "    \"basis\": \"real, orthonormal, without the Condon-Shortley phase, of x = right, y = "
+        "ahead, z = up\",\n"
+        "    \"order\": \"l (l + 1) + m\",\n"
+        "    \"coefficients\": [\n{}\n    ]\n"
+        "  }}",
+        kHarmonicDegree, text);
+}
+
 }  // namespace
 
 std::array<double, kHarmonics> harmonics_at(const glm::dvec3& direction) {
@@ -104,68 +162,6 @@ std::vector<double> level_irradiance(const Image2<float>& map, const Environment
                    });
     return sums;
 }
-
-namespace {
-
-constexpr int kLightDigits = 9;
-
-// A list of JSON.
-template <class Numbers>
-std::string list_of(const Numbers& numbers) {
-    std::vector<double> rounded(numbers.begin(), numbers.end());
-    return fmt::format("[{}]", fmt::join(to_digits(std::move(rounded), kLightDigits), ", "));
-}
-
-std::string lux_member(const Baked& table, const char* name, const std::vector<double>& channels) {
-    // Another solar irradiance may be in any unit.
-    const bool is_of_one = table.conventions.radiance_unit == "1/sr";
-    if (!table.conventions.color || !is_of_one) return "";
-    const std::optional<double> lux = lux_of(*table.conventions.color, channels);
-    return lux ? fmt::format(",\n    \"{}_lux\": {}", name, to_digits(*lux, kLightDigits)) : "";
-}
-
-glm::dvec3 sun_direction(const config::EnvironmentBake& bake) {
-    return direction_of_angles({bake.sun_azimuth.radians, bake.sun_elevation.radians});
-}
-
-std::string sun_json(const EnvironmentLights& lights, const config::EnvironmentBake& bake,
-                     const Baked& table) {
-    const glm::dvec3 sun = sun_direction(bake);
-    const auto degrees = [](config::Angle angle) {
-        return to_digits(angle.radians * kDegreesPerRadian, kLightDigits);
-    };
-    return fmt::format(
-        "  \"sun\": {{\n"
-        "    \"direction\": {},\n"
-        "    \"azimuth_deg\": {},\n"
-        "    \"elevation_deg\": {},\n"
-        "    \"disc_in_map\": {},\n"
-        "    \"irradiance\": {},\n"
-        "    \"irradiance_of_level_surface\": {}{}{}\n"
-        "  }}",
-        list_of(std::array{sun.x, sun.y, sun.z}), degrees(bake.sun_azimuth),
-        degrees(bake.sun_elevation), bake.sun == config::SunInMap::disc, list_of(lights.sun_facing),
-        list_of(lights.sun_level), lux_member(table, "illuminance", lights.sun_facing),
-        lux_member(table, "illuminance_of_level_surface", lights.sun_level));
-}
-
-std::string harmonics_json(const EnvironmentLights& lights) {
-    std::string text;
-    for (const auto& channel : lights.harmonics) {
-        text += fmt::format("{}      {}", text.empty() ? "" : ",\n", list_of(channel));
-    }
-    return fmt::format(
-        "  \"spherical_harmonics\": {{\n"
-        "    \"degree\": {},\n"
-        "    \"basis\": \"real, orthonormal, without the Condon-Shortley phase, of x = right, y = "
-        "ahead, z = up\",\n"
-        "    \"order\": \"l (l + 1) + m\",\n"
-        "    \"coefficients\": [\n{}\n    ]\n"
-        "  }}",
-        kHarmonicDegree, text);
-}
-
-}  // namespace
 
 std::optional<double> lux_of(const ColorConvention& color, const std::vector<double>& channels) {
     const std::optional<ColorTarget> target = color_target(color.space, color.white, color.sun);

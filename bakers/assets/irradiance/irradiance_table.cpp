@@ -72,80 +72,15 @@ std::string content_text(const IrradianceBake& bake) {
 }
 
 void describe(const IrradianceBake& bake, const SkyLight& light, Baked& table) {
-    const bool twilight = bake.mapping == config::MultipleScatteringMapping::twilight;
     table.kind = "irradiance";
     table.content = content_text(bake);
-    table.mapping = twilight ? "twilight" : "hillaire";
-    table.axes.resize(2);
-    table.axes[0] = {"sun_cos_zenith",
-                     twilight ? "x = (1 + sign(mu_s) sqrt(|mu_s|)) / 2" : "x = (mu_s + 1) / 2",
-                     "end points on texel centres", -1, 1};
-    table.axes[1] = {"altitude_km", "x = sqrt(altitude / (R_top - R_ground))",
-                     "end points on texel centres", 0, light.shell().thickness_km};
-    table.axes[0].constants = {{"first", 0.0}, {"share", 1.0}};
-    table.axes[1].constants = shell_constants(light.shell());
-    table.conventions.angle_unit = "cosine";
-    table.conventions.solar_irradiance.assign(table.channel_names.size(), 1);
+    describe_sun_table(bake.mapping, "x = sqrt(altitude / (R_top - R_ground))", light.shell(),
+                       table);
     set_files(bake, table);
     table.certificate.reference =
         fmt::format("the same integral with {} directions above and below the sun, and around",
                     reference_nodes(light).single);
-    table.certificate.scale = kRelativeErrorScale;
 }
-
-}  // namespace
-
-double irradiance_altitude_km(const Shell& shell, double y) { return y * y * shell.thickness_km; }
-
-double irradiance_coordinate(const Shell& shell, double altitude_km) {
-    return std::sqrt(altitude_km / shell.thickness_km);
-}
-
-config::SkyOrders orders_of(const IrradianceBake& bake) {
-    if (bake.content == IrradianceContent::direct) return config::SkyOrders::single;
-    return bake.content == IrradianceContent::sky ? bake.orders : config::SkyOrders::all;
-}
-
-TableModel irradiance_model(const SkyLight& light, const IrradianceBake& bake) {
-    TableModel model;
-    model.channels = light.medium().air.channels;
-    model.lowest = 0;
-    model.highest = std::numeric_limits<double>::max();
-    for (std::size_t level = 0; level < level_count(light); ++level) {
-        model.cost_per_texel.push_back(2.0 * kNodes[level].single * kNodes[level].single);
-    }
-    model.row = [&light, bake](int level, double y, const std::vector<double>& x, double* values) {
-        fill_row(light, bake, kNodes[static_cast<std::size_t>(level)], y, x, values);
-    };
-    model.reference = [&light, bake](double y, const std::vector<double>& x, double* values) {
-        fill_row(light, bake, reference_nodes(light), y, x, values);
-    };
-    model.error = relative_error;
-    return model;
-}
-
-Outcome<Baked> bake_irradiance(const SkyLights& lights, const IrradianceBake& bake,
-                               const BakeOptions& options, Baked table) {
-    const auto mapping = bake.mapping;
-    const Shell shell = lights.first().shell();
-    describe(bake, lights.first(), table);
-    AccuracyRequest request;
-    request.size = bake.size;
-    request.max_texel_error = bake.max_texel_error;
-    request.quick = {8, 8};
-    request.full = {64, 16};
-    request.quick_search = {24, 24, 4, 6, 32};
-    request.full_search = {128, 64, 16, 16, 512};
-    const auto place_of = [shell, mapping](double x, double y) {
-        return Place{{"altitude_km", irradiance_altitude_km(shell, y)},
-                     {"sun_cos_zenith", sun_cos_zenith_at(mapping, x)}};
-    };
-    const TableModel model =
-        lights.model([&](const SkyLight& light) { return irradiance_model(light, bake); });
-    return finish_table(model, request, options, place_of, std::move(table));
-}
-
-namespace {
 
 Outcome<Baked> bake(const Parameters& parameters, const IrradianceBake& asset,
                     const BakeOptions& options, AssetLabel label) {
@@ -200,16 +135,13 @@ AssetLookup lookup(const Parameters& parameters, const IrradianceBake& asset,
 std::optional<TracedLight> traced(const Parameters& parameters, const IrradianceBake& asset) {
     if (orders_of(asset) == config::SkyOrders::single) return std::nullopt;
     const std::vector<LevelSample> samples = level_samples(shell_of(parameters.atmosphere));
-    const auto places_in = [&](const StoredTexels& stored) {
-        return places(parameters, asset, stored);
-    };
     const auto trace_of = [&](const std::shared_ptr<const TracedAir>& air) {
         return asset.content == config::IrradianceContent::total
                    ? trace_of_daylight(air, samples)
                    : trace_of_irradiance(air, samples, orders_of(asset));
     };
     return TracedLight{light_channels(parameters), places_of(samples),
-                       light_looked_up(places_in, irradiance_probes_at(samples)),
+                       light_looked_up(places, parameters, asset, irradiance_probes_at(samples)),
                        traces_of_packets(parameters, trace_of)};
 }
 
@@ -219,6 +151,56 @@ void draft(IrradianceBake& asset, int) {
 }
 
 }  // namespace
+
+double irradiance_altitude_km(const Shell& shell, double y) { return y * y * shell.thickness_km; }
+
+double irradiance_coordinate(const Shell& shell, double altitude_km) {
+    return std::sqrt(altitude_km / shell.thickness_km);
+}
+
+config::SkyOrders orders_of(const IrradianceBake& bake) {
+    if (bake.content == IrradianceContent::direct) return config::SkyOrders::single;
+    return bake.content == IrradianceContent::sky ? bake.orders : config::SkyOrders::all;
+}
+
+TableModel irradiance_model(const SkyLight& light, const IrradianceBake& bake) {
+    TableModel model;
+    model.channels = light.medium().air.channels;
+    model.lowest = 0;
+    model.highest = std::numeric_limits<double>::max();
+    for (std::size_t level = 0; level < level_count(light); ++level) {
+        model.cost_per_texel.push_back(2.0 * kNodes[level].single * kNodes[level].single);
+    }
+    model.row = [&light, bake](int level, double y, const std::vector<double>& x, double* values) {
+        fill_row(light, bake, kNodes[static_cast<std::size_t>(level)], y, x, values);
+    };
+    model.reference = [&light, bake](double y, const std::vector<double>& x, double* values) {
+        fill_row(light, bake, reference_nodes(light), y, x, values);
+    };
+    model.error = relative_error;
+    return model;
+}
+
+Outcome<Baked> bake_irradiance(const SkyLights& lights, const IrradianceBake& bake,
+                               const BakeOptions& options, Baked table) {
+    const auto mapping = bake.mapping;
+    const Shell shell = lights.first().shell();
+    describe(bake, lights.first(), table);
+    AccuracyRequest request;
+    request.size = bake.size;
+    request.max_texel_error = bake.max_texel_error;
+    request.quick = {8, 8};
+    request.full = {64, 16};
+    request.quick_search = {24, 24, 4, 6, 32};
+    request.full_search = {128, 64, 16, 16, 512};
+    const auto place_of = [shell, mapping](double x, double y) {
+        return Place{{"altitude_km", irradiance_altitude_km(shell, y)},
+                     {"sun_cos_zenith", sun_cos_zenith_at(mapping, x)}};
+    };
+    const TableModel model =
+        lights.model([&](const SkyLight& light) { return irradiance_model(light, bake); });
+    return finish_table(model, request, options, place_of, std::move(table));
+}
 
 Baker<config::IrradianceBake> baker(BakerTag<config::IrradianceBake>) {
     return {.version = 19,

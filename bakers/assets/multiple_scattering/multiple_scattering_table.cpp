@@ -11,6 +11,7 @@
 #include "bakers/air/ray.h"
 #include "bakers/assets/multiple_scattering/multiple_scattering_as_in_paper.h"
 #include "bakers/assets/multiple_scattering/multiple_scattering_kernel.h"
+#include "bakers/assets/sky/sky_asset.h"
 #include "bakers/field/finish_table.h"
 #include "bakers/light/multiple_scattering_mapping.h"
 #include "bakers/math/relative_error.h"
@@ -143,22 +144,11 @@ Outcome<Baked> bake_multiple_scattering(const Medium& medium, const MultipleScat
     table.content =
         "Psi (1/sr): radiance of light scattered twice or more, per unit of solar irradiance and "
         "of scattering coefficient; multiply by sigma_s alone";
-    table.mapping = twilight ? "twilight" : "hillaire";
-    table.axes.resize(2);
-    table.axes[0] = {"sun_cos_zenith",
-                     twilight ? "x = (1 + sign(mu_s) sqrt(|mu_s|)) / 2" : "x = (mu_s + 1) / 2",
-                     "end points on texel centres", -1, 1};
-    table.axes[1] = {"altitude_km", "x = altitude / (R_top - R_ground)",
-                     "end points on texel centres", 0, thickness_km};
-    table.axes[0].constants = {{"first", 0.0}, {"share", 1.0}};
-    table.axes[1].constants = shell_constants(shell_of(medium));
-    table.conventions.angle_unit = "cosine";
+    describe_sun_table(mapping, "x = altitude / (R_top - R_ground)", shell_of(medium), table);
     table.conventions.radiance_unit = "1/sr";
-    table.conventions.solar_irradiance.assign(table.channel_names.size(), 1);
     set_files(bake, table);
     table.certificate.reference =
         "the same integral with 44 zenith nodes a part and 512 columns of sunlight";
-    table.certificate.scale = kRelativeErrorScale;
     table.details.emplace_back("method", as_in_paper ? "as_in_paper" : "converged");
 
     AccuracyRequest request;

@@ -8,6 +8,7 @@
 
 #include "bakers/air/ray.h"
 #include "bakers/assets/description/probe_places.h"
+#include "bakers/assets/sky/sky_asset.h"
 #include "bakers/field/finish_table.h"
 #include "bakers/light/multiple_scattering_mapping.h"
 #include "bakers/light/shared_light.h"
@@ -81,7 +82,6 @@ TableModel moment_model(const SolvedLight& light, const SolvedLight& finer_light
 
 void describe(const MultipleScatteringBake& bake, const SunColumns& columns, int degree,
               const Shell& shell, Baked& table) {
-    const bool twilight = bake.mapping == MultipleScatteringMapping::twilight;
     const int parts = moment_count(degree);
     table.kind = "multiple_scattering";
     table.content =
@@ -94,33 +94,29 @@ void describe(const MultipleScatteringBake& bake, const SunColumns& columns, int
             "layer",
             degree);
     }
-    table.mapping = twilight ? "twilight" : "hillaire";
-    const std::string formula = twilight ? "(1 + sign(mu_s) sqrt(|mu_s|)) / 2" : "(mu_s + 1) / 2";
-    const bool cropped = columns.first > 0 || columns.last < 1;
-    table.axes.resize(2);
-    table.axes[0] = {"sun_cos_zenith",
-                     cropped ? fmt::format("x = ({} - {:.17g}) / {:.17g}", formula, columns.first,
-                                           columns.last - columns.first)
-                             : "x = " + formula,
-                     "end points on texel centres", columns.cosine(0), columns.cosine(1)};
-    table.axes[1] = {
-        "altitude_km",
-        parts > 1
-            ? fmt::format("x = altitude / (R_top - R_ground) in each of {} tables one below the "
-                          "other, (l, m) the {}-th: v = (l (l + 1) / 2 + m + v of its table) / {}",
-                          parts, "(l (l + 1) / 2 + m)", parts)
-            : "x = altitude / (R_top - R_ground)",
-        "end points on texel centres", 0, shell.thickness_km};
-    table.axes[0].constants = {{"first", columns.first}, {"share", columns.last - columns.first}};
-    table.axes[1].constants = shell_constants(shell);
+    const std::string altitude = "x = altitude / (R_top - R_ground)";
+    describe_sun_table(
+        bake.mapping,
+        parts > 1 ? fmt::format(
+                        "{} in each of {} tables one below the other, (l, m) the (l (l + 1) / 2 + "
+                        "m)-th: v = (l (l + 1) / 2 + m + v of its table) / {}",
+                        altitude, parts, parts)
+                  : altitude,
+        shell, table);
+    AxisMapping& sun = table.axes[0];
+    const double share = columns.last - columns.first;
+    if (columns.first > 0 || columns.last < 1) {
+        sun.formula = fmt::format("x = ({} - {:.17g}) / {:.17g}", sun.formula.substr(4),
+                                  columns.first, share);
+    }
+    sun.first = columns.cosine(0);
+    sun.last = columns.cosine(1);
+    sun.constants = {{"first", columns.first}, {"share", share}};
     table.axes[1].constants.emplace_back("tables", static_cast<double>(parts));
     table.axes[1].constants.emplace_back("degree", static_cast<double>(degree));
-    table.conventions.angle_unit = "cosine";
     table.conventions.radiance_unit = "1/sr";
-    table.conventions.solar_irradiance.assign(table.channel_names.size(), 1);
     set_files(bake, table);
     table.certificate.reference = "the same light before it was stored";
-    table.certificate.scale = kRelativeErrorScale;
     if (degree > 0) table.certificate.scale += "; moments beyond the first: to their largest";
 }
 

@@ -119,55 +119,6 @@ std::size_t distinct_octaves(const NoisePlan& plan) {
     return keys.size();
 }
 
-}  // namespace
-
-std::vector<std::array<double, 2>> usual_ranges(const Noise& noise) {
-    if (noise.pack != NoisePacking::none) return {{0, 1}};
-    return mapped<std::array<double, 2>>(
-        noise.channels, [&](const NoiseChannel& channel) { return noise::nominal_range(channel); });
-}
-
-Baked make_noise_volume(const Noise& noise, const NoiseVolumeBake& bake, Baked volume) {
-    volume.kind = "noise_volume";
-    volume.content = "noise, dimensionless; the volume repeats along x, y and z";
-    volume.mapping = "tile";
-    volume.axes = axes_of(bake.size, noise.sampling);
-    volume.channel_names = config::channel_names(noise);
-    set_files(bake, volume);
-    volume.voxel_size_m.fill(1.0 / bake.size[0]);  // the tile is a metre wide
-    volume.up_axis = "+z";
-    volume.conventions.up_axis = volume.up_axis;
-
-    const auto field = std::make_shared<const NoiseField>(noise::make_noise_plan(noise, bake.size));
-    volume.details.emplace_back("distinct_octaves",
-                                static_cast<double>(distinct_octaves(field->plan())));
-    Level level;
-    level.size = bake.size;
-    level.voxels = field;
-    volume.levels.push_back(std::move(level));
-    volume.seam_error = seam_error(*field, bake.size);
-    return volume;
-}
-
-Outcome<Baked> bake_noise_volume(const Noise& noise, const NoiseVolumeBake& bake,
-                                 const BakeOptions& options, Baked volume) {
-    volume = make_noise_volume(noise, bake, std::move(volume));
-    add_mip_levels(bake.mips, options, volume);
-    return finish_volume(
-        std::move(volume),
-        {.histogram_ranges = usual_ranges(noise),
-         .reference = reference_of(noise, bake.size),
-         .reference_name = "the noise's definition in double precision, point by point",
-         .expensive = false,
-         .comparison = {},
-         .measure = {},
-         .probe_place = [&noise, &bake](const std::array<double, 3>& uvw,
-                                        int) { return place_of(bake.size, noise.sampling, uvw); }},
-        options);
-}
-
-namespace {
-
 Outcome<Baked> bake(const Parameters& parameters, const NoiseVolumeBake& asset,
                     const BakeOptions& options, AssetLabel label) {
     return bake_noise_volume(noise_named(parameters, asset.noise), asset, options,
@@ -222,6 +173,51 @@ void draft(NoiseVolumeBake& asset, int most_voxels) {
 }
 
 }  // namespace
+
+std::vector<std::array<double, 2>> usual_ranges(const Noise& noise) {
+    if (noise.pack != NoisePacking::none) return {{0, 1}};
+    return mapped<std::array<double, 2>>(
+        noise.channels, [&](const NoiseChannel& channel) { return noise::nominal_range(channel); });
+}
+
+Baked make_noise_volume(const Noise& noise, const NoiseVolumeBake& bake, Baked volume) {
+    volume.kind = "noise_volume";
+    volume.content = "noise, dimensionless; the volume repeats along x, y and z";
+    volume.mapping = "tile";
+    volume.axes = axes_of(bake.size, noise.sampling);
+    volume.channel_names = config::channel_names(noise);
+    set_files(bake, volume);
+    volume.voxel_size_m.fill(1.0 / bake.size[0]);  // the tile is a metre wide
+    volume.up_axis = "+z";
+    volume.conventions.up_axis = volume.up_axis;
+
+    const auto field = std::make_shared<const NoiseField>(noise::make_noise_plan(noise, bake.size));
+    volume.details.emplace_back("distinct_octaves",
+                                static_cast<double>(distinct_octaves(field->plan())));
+    Level level;
+    level.size = bake.size;
+    level.voxels = field;
+    volume.levels.push_back(std::move(level));
+    volume.seam_error = seam_error(*field, bake.size);
+    return volume;
+}
+
+Outcome<Baked> bake_noise_volume(const Noise& noise, const NoiseVolumeBake& bake,
+                                 const BakeOptions& options, Baked volume) {
+    volume = make_noise_volume(noise, bake, std::move(volume));
+    add_mip_levels(bake.mips, options, volume);
+    return finish_volume(
+        std::move(volume),
+        {.histogram_ranges = usual_ranges(noise),
+         .reference = reference_of(noise, bake.size),
+         .reference_name = "the noise's definition in double precision, point by point",
+         .expensive = false,
+         .comparison = {},
+         .measure = {},
+         .probe_place = [&noise, &bake](const std::array<double, 3>& uvw,
+                                        int) { return place_of(bake.size, noise.sampling, uvw); }},
+        options);
+}
 
 Baker<config::NoiseVolumeBake> baker(BakerTag<config::NoiseVolumeBake>) {
     return {.version = 4,

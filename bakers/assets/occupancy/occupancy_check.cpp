@@ -121,22 +121,7 @@ using config::OccupancyContent;
 using occupancy::CellGrid;
 using occupancy::OccupancyCheck;
 
-// The parameters in an occupancy grid's entry.
-struct Grid {
-    OccupancyBake bake;
-    float threshold = 0;
-};
-
-// None where the entry is not what a bake writes.
-std::optional<Grid> grid_of(const ManifestAsset& asset) {
-    const auto recipe = recorded_recipe(asset);
-    const auto* bake = recipe ? recorded_bake<OccupancyBake>(*recipe, asset) : nullptr;
-    if (bake == nullptr) return std::nullopt;
-    const Parameters& parameters = recipe->parameters;
-    // A recipe that was read names a cloud volume of a cloud that is there.
-    const auto& of = bake_named(parameters, bake->of).as<CloudVolumeBake>();
-    return Grid{*bake, filtered_threshold(cloud_named(parameters, of.cloud))};
-}
+using Grid = RecordedSource<OccupancyBake>;
 
 // The channel that tells empty cells from others: the plainest one.
 struct Teller {
@@ -161,19 +146,19 @@ std::optional<Teller> teller_of(const std::vector<OccupancyContent>& contents) {
 
 Outcome<std::vector<std::uint8_t>> occupied_cells(const std::filesystem::path& folder,
                                                   const ManifestAsset& asset,
-                                                  const ManifestFile& file, const Grid& grid,
+                                                  const ManifestFile& file, float threshold,
                                                   const Teller& teller) {
     const std::size_t channels = asset.channels.size();
     std::vector<std::uint8_t> occupied;
-    Outcome<bool> read = read_asset_file(
-        folder / file.path, asset, file, 0,
-        [&](std::int64_t, std::int64_t count, const float* values) {
-            for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
-                const float value = values[i * channels + teller.channel];
-                occupied.push_back(teller.is_occupied(value, grid.threshold) ? 1 : 0);
-            }
-            return true;
-        });
+    Outcome<bool> read =
+        read_asset_file(folder / file.path, asset, file, 0,
+                        [&](std::int64_t, std::int64_t count, const float* values) {
+                            for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+                                const float value = values[i * channels + teller.channel];
+                                occupied.push_back(teller.is_occupied(value, threshold) ? 1 : 0);
+                            }
+                            return true;
+                        });
     if (!read.value) return {{}, std::move(read.diagnostics)};
     return {std::move(occupied), {}};
 }
@@ -184,8 +169,9 @@ std::string loss_of(const std::filesystem::path& folder, const ManifestAsset& as
     const ManifestFile* cells_file = first_file(asset);
     const ManifestFile* voxels_file = first_file(volume);
     const std::optional<Teller> teller = teller_of(grid.bake.contents);
+    const float threshold = filtered_threshold(grid.cloud);
     if (cells_file == nullptr || voxels_file == nullptr || !teller) return "";
-    const auto occupied = occupied_cells(folder, asset, *cells_file, grid, *teller);
+    const auto occupied = occupied_cells(folder, asset, *cells_file, threshold, *teller);
     if (!occupied.value) return "";
     const CellGrid cells{volume.levels.front().size, grid.bake.cell};
     if (occupied.value->size() != occupancy::count_of(cells.size())) {
@@ -194,7 +180,7 @@ std::string loss_of(const std::filesystem::path& folder, const ManifestAsset& as
     }
     const std::optional<std::size_t> channel = channel_in(volume, grid.bake.channel);
     if (!channel) return fmt::format("{} has no channel {}", volume.name, grid.bake.channel);
-    OccupancyCheck check(cells, *occupied.value, grid.bake.filter, grid.threshold,
+    OccupancyCheck check(cells, *occupied.value, grid.bake.filter, threshold,
                          static_cast<int>(*channel), static_cast<int>(volume.channels.size()));
     const Outcome<bool> read =
         read_asset_file(folder / voxels_file->path, volume, *voxels_file, 0,
@@ -207,14 +193,14 @@ std::string loss_of(const std::filesystem::path& folder, const ManifestAsset& as
     return fmt::format(
         "{} of {} samples of {} are above {} in cells that are marked empty; the largest is {} in "
         "cell ({}, {}, {})",
-        found.lost, found.points, volume.name, grid.threshold, found.worst_value, found.cell[0],
+        found.lost, found.points, volume.name, threshold, found.worst_value, found.cell[0],
         found.cell[1], found.cell[2]);
 }
 
 std::vector<VerifyFailure> check_skipping(const Manifest& manifest,
                                           const std::filesystem::path& folder, int& checks) {
     return check_against_volumes(
-        manifest, "occupancy", "skipping", checks, grid_of,
+        manifest, "occupancy", "skipping", checks, recorded_source<OccupancyBake>,
         [&](const ManifestAsset& asset, const ManifestAsset& volume, const Grid& wanted) {
             return loss_of(folder, asset, volume, wanted);
         });

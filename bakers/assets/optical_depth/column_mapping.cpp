@@ -112,6 +112,21 @@ ColumnPath pass(const ColumnGeometry& geometry, const DistanceCoordinates& x, do
     return {altitude_km, -before, x.distance > 0 ? std::max(after + before, 0.0) : 0};
 }
 
+// The path of the kind and the angle of `x` from an altitude, as it is scaled, up to a higher one.
+template <class Coordinates>
+ColumnPath path_up(const ColumnGeometry& geometry, const Coordinates& x, double scaled_low,
+                   double high) {
+    const Shell& shell = geometry.shell;
+    const double low = altitude_at(geometry.scale, scaled_low);
+    if (x.kind == RayKind::upward) {
+        const Rise way = rise(shell, low, high - low, x.angle);
+        return {low, way.s_km, way.distance_km};
+    }
+    const NearestPoint nearest = nearest_point(geometry.scale, scaled_low, x.angle);
+    const double before = from_nearest_km(shell, nearest.altitude_km, low);
+    return {low, -before, before + from_nearest_km(shell, nearest.altitude_km, high)};
+}
+
 }  // namespace
 
 double scaled_altitude(const AltitudeScale& scale, double altitude_km) {
@@ -127,16 +142,7 @@ double altitude_at(const AltitudeScale& scale, double scaled) {
 }
 
 ColumnPath path_to_top(const ColumnGeometry& geometry, const TopCoordinates& x) {
-    const Shell& shell = geometry.shell;
-    const double altitude = altitude_at(geometry.scale, x.altitude);
-    if (x.kind == RayKind::upward) {
-        const Rise way = rise(shell, altitude, shell.thickness_km - altitude, x.angle);
-        return {altitude, way.s_km, way.distance_km};
-    }
-    const NearestPoint nearest = nearest_point(geometry.scale, x.altitude, x.angle);
-    const double before = from_nearest_km(shell, nearest.altitude_km, altitude);
-    return {altitude, -before,
-            before + from_nearest_km(shell, nearest.altitude_km, shell.thickness_km)};
+    return path_up(geometry, x, x.altitude, geometry.shell.thickness_km);
 }
 
 TopCoordinates top_coordinates(const ColumnGeometry& geometry, double altitude_km, double s_km) {
@@ -152,17 +158,7 @@ TopCoordinates top_coordinates(const ColumnGeometry& geometry, double altitude_k
 }
 
 ColumnPath path_between(const ColumnGeometry& geometry, const PairCoordinates& x) {
-    const Shell& shell = geometry.shell;
-    const double scaled_low = x.low * x.high;
-    const double low = altitude_at(geometry.scale, scaled_low);
-    const double high = altitude_at(geometry.scale, x.high);
-    if (x.kind == RayKind::upward) {
-        const Rise way = rise(shell, low, high - low, x.angle);
-        return {low, way.s_km, way.distance_km};
-    }
-    const NearestPoint nearest = nearest_point(geometry.scale, scaled_low, x.angle);
-    const double before = from_nearest_km(shell, nearest.altitude_km, low);
-    return {low, -before, before + from_nearest_km(shell, nearest.altitude_km, high)};
+    return path_up(geometry, x, x.low * x.high, altitude_at(geometry.scale, x.high));
 }
 
 PairCoordinates pair_coordinates(const ColumnGeometry& geometry, const ColumnPath& path) {

@@ -52,6 +52,22 @@ void describe_sky_table(Baked& table) {
     table.certificate.scale = kRelativeErrorScale;
 }
 
+void describe_sun_table(config::MultipleScatteringMapping mapping, std::string altitude_formula,
+                        const Shell& shell, Baked& table) {
+    const bool twilight = mapping == config::MultipleScatteringMapping::twilight;
+    table.mapping = twilight ? "twilight" : "hillaire";
+    table.axes = {{"sun_cos_zenith",
+                   twilight ? "x = (1 + sign(mu_s) sqrt(|mu_s|)) / 2" : "x = (mu_s + 1) / 2",
+                   "end points on texel centres", -1, 1},
+                  {"altitude_km", std::move(altitude_formula), "end points on texel centres", 0,
+                   shell.thickness_km}};
+    table.axes[0].constants = {{"first", 0.0}, {"share", 1.0}};
+    table.axes[1].constants = shell_constants(shell);
+    table.conventions.angle_unit = "cosine";
+    table.conventions.solar_irradiance.assign(table.channel_names.size(), 1);
+    table.certificate.scale = kRelativeErrorScale;
+}
+
 namespace {
 
 // Whether the asset is made of light of all orders.

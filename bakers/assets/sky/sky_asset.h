@@ -16,6 +16,7 @@
 #include "bakers/math/intermediates.h"
 #include "config/diagnostics/diagnostic.h"
 #include "config/sections/parameters.h"
+#include "config/sections/scene.h"
 
 namespace skybake {
 
@@ -40,6 +41,11 @@ std::vector<Need> light_needs(const config::Atmosphere& atmosphere, config::SkyO
 // conventions, reference and scale of errors. The table already has its channels' names.
 AccuracyRequest sky_table_request(const std::array<int, 2>& size);
 void describe_sky_table(Baked& table);
+
+// Describes a table over the sun's cosine, mapped so, and the altitude, whose formula is given, with
+// relative errors. The table already has its channels' names.
+void describe_sun_table(config::MultipleScatteringMapping mapping, std::string altitude_formula,
+                        const Shell& shell, Baked& table);
 
 // Returns E0405 if the asset is made of light of all orders, which would take many minutes: the air
 // scatters light very often on its way up, or it is very high above a small planet. The numbers of

@@ -126,6 +126,16 @@ LightAtPlaces light_looked_up(std::function<AssetPlaces(const StoredTexels&)> pl
     };
 }
 
+LightAtPlaces per_irradiance(LightAtPlaces found, std::vector<double> irradiance) {
+    return [=](const Baked& baked, int threads) {
+        std::vector<Spectrum> light = found(baked, threads);
+        for (Spectrum& one : light) {
+            for (std::size_t c = 0; c < irradiance.size(); ++c) one[c] /= irradiance[c];
+        }
+        return light;
+    };
+}
+
 std::vector<glm::dvec3> weights_of(const ColorConvention& color) {
     std::vector<glm::dvec3> weights;
     for (std::size_t i = 0; i + 2 < color.weights.size(); i += 3) {

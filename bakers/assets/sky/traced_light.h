@@ -61,6 +61,22 @@ std::vector<std::vector<double>> look_up_places(const Baked& baked, const AssetP
 LightAtPlaces light_looked_up(std::function<AssetPlaces(const StoredTexels&)> places,
                               std::vector<Place> at);
 
+// Returns the same of an asset's places, as its baker has them. The arguments must outlive it.
+template <class Asset>
+LightAtPlaces light_looked_up(AssetPlaces (*places)(const Parameters&, const Asset&,
+                                                    const StoredTexels&),
+                              const Parameters& parameters, const Asset& asset,
+                              std::vector<Place> at) {
+    return light_looked_up(
+        [=, &parameters, &asset](const StoredTexels& stored) {
+            return places(parameters, asset, stored);
+        },
+        std::move(at));
+}
+
+// Returns the same light for an irradiance of 1 in place of one of the sun's for each channel.
+LightAtPlaces per_irradiance(LightAtPlaces found, std::vector<double> irradiance);
+
 // A view up to a thing in the air, or to the ground before it.
 struct AirSample {
     double altitude_km = 0;  // of the camera

@@ -136,10 +136,8 @@ std::optional<TracedLight> traced(const Parameters& parameters, const SkyViewBak
                      {"above_horizon_deg", sample.above_horizon_deg},
                      {"sun_elevation_deg", sample.sun_elevation_deg}};
     });
-    const auto places_in = [&](const StoredTexels& stored) {
-        return places(parameters, asset, stored);
-    };
-    return traced_sky(parameters, samples, asset.orders, light_looked_up(places_in, std::move(at)));
+    return traced_sky(parameters, samples, asset.orders,
+                      light_looked_up(places, parameters, asset, std::move(at)));
 }
 
 void draft(SkyViewBake& asset, int) {

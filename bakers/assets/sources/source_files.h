@@ -2,40 +2,67 @@
 // of the manifest say. For checks of a whole folder.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "bakers/io/formats/format.h"
 #include "bakers/io/manifest/manifest.h"
 #include "bakers/io/manifest/verify.h"
+#include "config/assets/cloud_volume.h"
+#include "config/recipe/asset_parameters.h"
 #include "config/recipe/recipe.h"
+#include "config/sections/parameters.h"
 
 namespace skybake {
 
 // Returns the asset of this name, or null.
-const ManifestAsset* asset_named(const Manifest& manifest, const std::string& name);
+inline const ManifestAsset* asset_named(const Manifest& manifest, const std::string& name) {
+    const auto found = std::ranges::find(manifest.assets, name, &ManifestAsset::name);
+    return found != manifest.assets.end() ? &*found : nullptr;
+}
 
 // Returns the first file that holds the volume itself and can be read back, or null.
-const ManifestFile* first_file(const ManifestAsset& asset);
+inline const ManifestFile* first_file(const ManifestAsset& asset) {
+    const auto found = std::ranges::find_if(asset.files, [](const ManifestFile& file) {
+        const Format* format = find_format(file.format);
+        return file.level == 0 && format != nullptr && format->read != nullptr;
+    });
+    return found != asset.files.end() ? &*found : nullptr;
+}
 
 // Returns the index of a volume's channel of this name, or of its first one where the name is empty.
 // Returns none if it has no such channel.
-std::optional<std::size_t> channel_in(const ManifestAsset& volume, const std::string& name);
+inline std::optional<std::size_t> channel_in(const ManifestAsset& volume, const std::string& name) {
+    if (name.empty()) return 0;
+    const auto found = std::ranges::find(volume.channels, name);
+    if (found == volume.channels.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - volume.channels.begin());
+}
 
-// Returns the recipe in an asset's entry. None: it cannot be read.
-std::optional<Recipe> recorded_recipe(const ManifestAsset& asset);
+// The parameters in the entry of an asset that is made of a cloud volume.
+template <class Asset>
+struct RecordedSource {
+    Asset bake;
+    CloudVolumeBake of;
+    Cloud cloud;
+};
 
-// Returns the asset's own section of the recipe in its entry, or null where the entry is not what a
-// bake writes.
-template <class Bake>
-const Bake* recorded_bake(const Recipe& recipe, const ManifestAsset& asset) {
-    for (const config::Bake& bake : recipe.parameters.bakes) {
-        if (bake.name != asset.name) continue;
-        const Bake* own = bake.template find<Bake>();
-        return own && own->contents.size() == asset.channels.size() ? own : nullptr;
+// Returns them, or nothing where the entry is not what a bake writes.
+template <class Asset>
+std::optional<RecordedSource<Asset>> recorded_source(const ManifestAsset& asset) {
+    const auto recipe = config::parse_asset_parameters(asset.parameters, asset.name).value;
+    if (!recipe) return std::nullopt;
+    for (const config::Bake& bake : recipe->parameters.bakes) {
+        const Asset* own = bake.name == asset.name ? bake.template find<Asset>() : nullptr;
+        if (own == nullptr || own->contents.size() != asset.channels.size()) continue;
+        // A recipe that was read names a cloud volume of a cloud that is there.
+        const auto& of = bake_named(recipe->parameters, own->of).template as<CloudVolumeBake>();
+        return RecordedSource<Asset>{*own, of, cloud_named(recipe->parameters, of.cloud)};
     }
-    return nullptr;
+    return std::nullopt;
 }
 
 // Compares each asset of a kind with the volume that it is made of, where that is in the folder.

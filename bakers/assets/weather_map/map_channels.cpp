@@ -45,53 +45,6 @@ std::size_t divide(const std::vector<float>& falling, std::size_t count,
     return static_cast<std::size_t>(std::llround(last)) - count;
 }
 
-}  // namespace
-
-double CoverRamp::operator()(double noise) const {
-    if (noise < none_below) return 0;
-    if (noise >= full_from) return 1;
-    double t = high > low ? std::clamp((noise - low) / (high - low), 0.0, 1.0) : 1.0;
-    if (edge == config::CoverEdge::smooth) t = t * t * (3 - 2 * t);
-    return (1 + (std::isinf(full_from) ? 254 : 253) * t) / 255;
-}
-
-FittedRamp fit_cover_ramp(std::vector<float> noise, double covered, double full,
-                          config::CoverEdge edge) {
-    std::ranges::sort(noise, std::greater<>());
-    const std::size_t above = count_of(covered, noise.size());
-    const std::size_t whole = count_of(full, noise.size());
-    FittedRamp fitted;
-    fitted.left_bare = divide(noise, above, fitted.tied);
-    fitted.left_thin = divide(noise, whole, fitted.tied);
-    if (above == 0) return fitted;
-    CoverRamp& ramp = fitted.ramp;
-    ramp.edge = edge;
-    ramp.low = double{noise.back()};
-    ramp.high = double{noise.front()};
-    ramp.none_below = -CoverRamp::kInfinity;
-    if (above < noise.size()) ramp.low = ramp.none_below = threshold(noise, above);
-    if (whole == noise.size()) ramp.full_from = -CoverRamp::kInfinity;
-    if (whole > 0 && whole < noise.size()) ramp.high = ramp.full_from = threshold(noise, whole);
-    return fitted;
-}
-
-void apply(const FittedRamp& fitted, std::vector<float>& noise) {
-    constexpr float kAlmostFull = 254.0F / 255;
-    std::size_t bare = fitted.left_bare;
-    std::size_t thin = fitted.left_thin;
-    for (std::size_t i = noise.size(); i-- > 0;) {
-        const double value = double{noise[i]};
-        const bool is_bare = bare > 0 && value == fitted.ramp.none_below;
-        const bool is_thin = thin > 0 && value == fitted.ramp.full_from;
-        if (is_bare) --bare;
-        if (is_thin) --thin;
-        const float covered = is_thin ? kAlmostFull : static_cast<float>(fitted.ramp(value));
-        noise[i] = is_bare ? 0.0F : covered;
-    }
-}
-
-namespace {
-
 // The way behind a place ends after so many lengths, where less than 1/2980 is left.
 constexpr double kLengths = 8;
 
@@ -153,6 +106,49 @@ void add_row(const float* row, int width, int shift, double weight, std::vector<
 }
 
 }  // namespace
+
+double CoverRamp::operator()(double noise) const {
+    if (noise < none_below) return 0;
+    if (noise >= full_from) return 1;
+    double t = high > low ? std::clamp((noise - low) / (high - low), 0.0, 1.0) : 1.0;
+    if (edge == config::CoverEdge::smooth) t = t * t * (3 - 2 * t);
+    return (1 + (std::isinf(full_from) ? 254 : 253) * t) / 255;
+}
+
+FittedRamp fit_cover_ramp(std::vector<float> noise, double covered, double full,
+                          config::CoverEdge edge) {
+    std::ranges::sort(noise, std::greater<>());
+    const std::size_t above = count_of(covered, noise.size());
+    const std::size_t whole = count_of(full, noise.size());
+    FittedRamp fitted;
+    fitted.left_bare = divide(noise, above, fitted.tied);
+    fitted.left_thin = divide(noise, whole, fitted.tied);
+    if (above == 0) return fitted;
+    CoverRamp& ramp = fitted.ramp;
+    ramp.edge = edge;
+    ramp.low = double{noise.back()};
+    ramp.high = double{noise.front()};
+    ramp.none_below = -CoverRamp::kInfinity;
+    if (above < noise.size()) ramp.low = ramp.none_below = threshold(noise, above);
+    if (whole == noise.size()) ramp.full_from = -CoverRamp::kInfinity;
+    if (whole > 0 && whole < noise.size()) ramp.high = ramp.full_from = threshold(noise, whole);
+    return fitted;
+}
+
+void apply(const FittedRamp& fitted, std::vector<float>& noise) {
+    constexpr float kAlmostFull = 254.0F / 255;
+    std::size_t bare = fitted.left_bare;
+    std::size_t thin = fitted.left_thin;
+    for (std::size_t i = noise.size(); i-- > 0;) {
+        const double value = double{noise[i]};
+        const bool is_bare = bare > 0 && value == fitted.ramp.none_below;
+        const bool is_thin = thin > 0 && value == fitted.ramp.full_from;
+        if (is_bare) --bare;
+        if (is_thin) --thin;
+        const float covered = is_thin ? kAlmostFull : static_cast<float>(fitted.ramp(value));
+        noise[i] = is_bare ? 0.0F : covered;
+    }
+}
 
 std::array<double, 2> wind_direction(double angle) {
     const SineCosine turned = sine_and_cosine(angle);

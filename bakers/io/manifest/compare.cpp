@@ -97,78 +97,6 @@ std::map<std::string, std::string> members_of(const std::string& text) {
     return members;
 }
 
-}  // namespace
-
-std::vector<AttributeDifference> metadata_differences(const std::string& first,
-                                                      const std::string& second) {
-    const auto members = members_of(first);
-    const auto others = members_of(second);
-    if (first != second && (members.empty() || others.empty())) {
-        return {{metadata_name, first, second}};
-    }
-    return compare_facts(members, others);
-}
-
-std::vector<AttributeDifference> attribute_differences(const Attributes& first,
-                                                       const Attributes& second) {
-    std::vector<AttributeDifference> differences;
-    for (AttributeDifference& entry :
-         compare_facts({first.begin(), first.end()}, {second.begin(), second.end()})) {
-        if (entry.name != metadata_name || !entry.first || !entry.second) {
-            differences.push_back(std::move(entry));
-            continue;
-        }
-        for (AttributeDifference& member : metadata_differences(*entry.first, *entry.second)) {
-            const bool is_of_texels =
-                member.name.starts_with("probes/") || member.name.starts_with("statistics/");
-            if (!is_of_texels) differences.push_back(std::move(member));
-        }
-    }
-    return differences;
-}
-
-ComparedImage compared(ExrRows& file) {
-    const ExrFacts& facts = file.facts();
-    return {rows_of(file), facts.channel_names, facts.pixel_type,
-            facts.codec,   facts.attributes,    facts.window};
-}
-
-config::Outcome<ComparedImage> compared_radiance(const std::filesystem::path& path) {
-    config::Outcome<HdrPicture> picture = read_hdr_picture(path);
-    if (!picture.value) return {{}, std::move(picture.diagnostics)};
-    ComparedImage image;
-    image.rows = std::move(picture.value->rows);
-    image.channel_names = {"R", "G", "B"};
-    image.pixel_type = PixelType::rgbe;
-    if (const std::string& entry = picture.value->entry; !entry.empty()) {
-        image.attributes.emplace_back(metadata_name, entry);
-    }
-    return {std::move(image), {}};
-}
-
-config::Outcome<ImageDifference> compare_images(const ComparedImage& first,
-                                                const ComparedImage& second) {
-    ImageDifference difference;
-    difference.attributes = attribute_differences(facts_of(first), facts_of(second));
-    if (layout_of(first) != layout_of(second)) {
-        difference.layout = fmt::format("{} against {}", layout_of(first), layout_of(second));
-        return {std::move(difference), {}};
-    }
-    auto channels = compare_channels(first, second);
-    if (!channels.value) return {{}, std::move(channels.diagnostics)};
-    difference.channels = std::move(*channels.value);
-    return {std::move(difference), {}};
-}
-
-bool equal_within(const ImageDifference& difference, double tolerance) {
-    return difference.layout.empty() &&
-           std::ranges::all_of(difference.channels, [tolerance](const ChannelDifference& channel) {
-               return channel.max_absolute <= tolerance;
-           });
-}
-
-namespace {
-
 namespace fs = std::filesystem;
 
 constexpr std::int64_t most_compared = 16384;  // along an axis
@@ -270,6 +198,74 @@ std::vector<Diagnostic> compare_grids(const fs::path& first, const fs::path& sec
 }
 
 }  // namespace
+
+std::vector<AttributeDifference> metadata_differences(const std::string& first,
+                                                      const std::string& second) {
+    const auto members = members_of(first);
+    const auto others = members_of(second);
+    if (first != second && (members.empty() || others.empty())) {
+        return {{metadata_name, first, second}};
+    }
+    return compare_facts(members, others);
+}
+
+std::vector<AttributeDifference> attribute_differences(const Attributes& first,
+                                                       const Attributes& second) {
+    std::vector<AttributeDifference> differences;
+    for (AttributeDifference& entry :
+         compare_facts({first.begin(), first.end()}, {second.begin(), second.end()})) {
+        if (entry.name != metadata_name || !entry.first || !entry.second) {
+            differences.push_back(std::move(entry));
+            continue;
+        }
+        for (AttributeDifference& member : metadata_differences(*entry.first, *entry.second)) {
+            const bool is_of_texels =
+                member.name.starts_with("probes/") || member.name.starts_with("statistics/");
+            if (!is_of_texels) differences.push_back(std::move(member));
+        }
+    }
+    return differences;
+}
+
+ComparedImage compared(ExrRows& file) {
+    const ExrFacts& facts = file.facts();
+    return {rows_of(file), facts.channel_names, facts.pixel_type,
+            facts.codec,   facts.attributes,    facts.window};
+}
+
+config::Outcome<ComparedImage> compared_radiance(const std::filesystem::path& path) {
+    config::Outcome<HdrPicture> picture = read_hdr_picture(path);
+    if (!picture.value) return {{}, std::move(picture.diagnostics)};
+    ComparedImage image;
+    image.rows = std::move(picture.value->rows);
+    image.channel_names = {"R", "G", "B"};
+    image.pixel_type = PixelType::rgbe;
+    if (const std::string& entry = picture.value->entry; !entry.empty()) {
+        image.attributes.emplace_back(metadata_name, entry);
+    }
+    return {std::move(image), {}};
+}
+
+config::Outcome<ImageDifference> compare_images(const ComparedImage& first,
+                                                const ComparedImage& second) {
+    ImageDifference difference;
+    difference.attributes = attribute_differences(facts_of(first), facts_of(second));
+    if (layout_of(first) != layout_of(second)) {
+        difference.layout = fmt::format("{} against {}", layout_of(first), layout_of(second));
+        return {std::move(difference), {}};
+    }
+    auto channels = compare_channels(first, second);
+    if (!channels.value) return {{}, std::move(channels.diagnostics)};
+    difference.channels = std::move(*channels.value);
+    return {std::move(difference), {}};
+}
+
+bool equal_within(const ImageDifference& difference, double tolerance) {
+    return difference.layout.empty() &&
+           std::ranges::all_of(difference.channels, [tolerance](const ChannelDifference& channel) {
+               return channel.max_absolute <= tolerance;
+           });
+}
 
 Outcome<ImageDifference> compare_volumes(const fs::path& first, const fs::path& second) {
     const Outcome<VdbFile> a = read_grids(first);

@@ -217,6 +217,16 @@ glm::dvec3 up_at(const Shell& shell, double altitude_km, double distance_km,
     return place / glm::length(place);
 }
 
+// Walks for all orders.
+PathTracedRadiance walk_all(const PathTracer& tracer, const PathSource& source,
+                            const PathStart& start, Aperture aperture,
+                            const PathTracerSettings& settings, int threads) {
+    assert(settings.paths >= 1);
+    return trace(
+        {tracer.medium(), source, start, aperture, {true, settings.include_seen_ground}, settings},
+        threads);
+}
+
 }  // namespace
 
 Spectrum standard_error_of(const std::array<Spectrum, kPathReplicates>& replicates,
@@ -264,20 +274,6 @@ PathTracedRadiance trace_paths(const PathTracer& tracer, double altitude_km, con
     }
     return result;
 }
-
-namespace {
-
-// Walks for all orders.
-PathTracedRadiance walk_all(const PathTracer& tracer, const PathSource& source,
-                            const PathStart& start, Aperture aperture,
-                            const PathTracerSettings& settings, int threads) {
-    assert(settings.paths >= 1);
-    return trace(
-        {tracer.medium(), source, start, aperture, {true, settings.include_seen_ground}, settings},
-        threads);
-}
-
-}  // namespace
 
 PathTracedRadiance trace_ambient_paths(const PathTracer& tracer, double altitude_km,
                                        double cos_zenith, const PathTracerSettings& settings,

@@ -44,50 +44,6 @@ void drop_less_than_nothing(LightField& light) {
     for (double& value : light.sky_irradiance) value = std::max(value, 0.0);
 }
 
-}  // namespace
-
-OrderSum sum_of_orders(const LightField& first, OrderSum sum, const NextOrder& next,
-                       const CorrectResidual& correct, const SumSettings& settings,
-                       Progress* progress) {
-    while (!is_cancelled(progress)) {
-        const LightScale scale = light_scale(sum.light);
-        const ResidualSearch search = {settings.tolerance,
-                                       settings.most_applications - sum.applications};
-        sum.applications +=
-            search_residual(next, correct, scale, search, progress, sum.residual, sum.light);
-        const LightField missing = correct(sum.residual, scale);
-        add(missing, sum.light);
-        const LightScale found = light_scale(sum.light);
-        sum.left_out = largest_share(missing, found);
-        const bool is_small = mean_share(missing, found) <= settings.tolerance &&
-                              sum.left_out <= kLargestOverMean * settings.tolerance;
-        if (is_small || sum.applications >= settings.most_applications) break;
-        sum.residual = residual_of(first, next, sum.light);
-        ++sum.applications;
-    }
-    drop_less_than_nothing(sum.light);
-    return sum;
-}
-
-OrderSum sum_of_first_orders(const LightField& first, const NextOrder& next, int orders,
-                             Progress* progress) {
-    assert(orders >= 1);
-    OrderSum sum;
-    sum.light = first;
-    LightField before = first;
-    LightField added(first.levels, first.suns, first.degree);
-    for (int order = 2; order <= orders && !is_cancelled(progress); ++order) {
-        next(before, added);
-        ++sum.applications;
-        add(added, sum.light);
-        std::swap(before, added);
-    }
-    drop_less_than_nothing(sum.light);
-    return sum;
-}
-
-namespace {
-
 // Light that falls faster than this from column to column is interpolated in its logarithm.
 constexpr double kSteepest = 4;
 
@@ -257,6 +213,46 @@ SolvedLight solve_levels(const SkyMedium& medium, const SolverSettings& settings
 }
 
 }  // namespace
+
+OrderSum sum_of_orders(const LightField& first, OrderSum sum, const NextOrder& next,
+                       const CorrectResidual& correct, const SumSettings& settings,
+                       Progress* progress) {
+    while (!is_cancelled(progress)) {
+        const LightScale scale = light_scale(sum.light);
+        const ResidualSearch search = {settings.tolerance,
+                                       settings.most_applications - sum.applications};
+        sum.applications +=
+            search_residual(next, correct, scale, search, progress, sum.residual, sum.light);
+        const LightField missing = correct(sum.residual, scale);
+        add(missing, sum.light);
+        const LightScale found = light_scale(sum.light);
+        sum.left_out = largest_share(missing, found);
+        const bool is_small = mean_share(missing, found) <= settings.tolerance &&
+                              sum.left_out <= kLargestOverMean * settings.tolerance;
+        if (is_small || sum.applications >= settings.most_applications) break;
+        sum.residual = residual_of(first, next, sum.light);
+        ++sum.applications;
+    }
+    drop_less_than_nothing(sum.light);
+    return sum;
+}
+
+OrderSum sum_of_first_orders(const LightField& first, const NextOrder& next, int orders,
+                             Progress* progress) {
+    assert(orders >= 1);
+    OrderSum sum;
+    sum.light = first;
+    LightField before = first;
+    LightField added(first.levels, first.suns, first.degree);
+    for (int order = 2; order <= orders && !is_cancelled(progress); ++order) {
+        next(before, added);
+        ++sum.applications;
+        add(added, sum.light);
+        std::swap(before, added);
+    }
+    drop_less_than_nothing(sum.light);
+    return sum;
+}
 
 SolverSettings finer(SolverSettings settings) {
     settings.level_scale *= 1.25;

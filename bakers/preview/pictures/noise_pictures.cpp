@@ -160,6 +160,26 @@ class NoisePictures {
     std::vector<PreviewPicture> pictures_;
 };
 
+constexpr int smallest_map = 256;  // pixels along the longer edge of a channel
+constexpr int largest_map = 512;
+
+// Returns how much of an asset's area has each value, with a step for each bin.
+ChartLine steps_of_histogram(const ValueStatistics& statistics, const std::string& channel) {
+    ChartLine line{channel, noise_line_colour(channel), {}, {}};
+    std::int64_t count = 0;
+    for (const std::int64_t of_bin : statistics.histogram) count += of_bin;
+    const auto bins = static_cast<double>(statistics.histogram.size());
+    for (std::size_t i = 0; i < statistics.histogram.size(); ++i) {
+        const double share = static_cast<double>(statistics.histogram[i]) /
+                             static_cast<double>(std::max<std::int64_t>(count, 1));
+        for (const double edge : {static_cast<double>(i), static_cast<double>(i) + 1}) {
+            line.x.push_back(edge / bins);
+            line.y.push_back(share);
+        }
+    }
+    return line;
+}
+
 }  // namespace
 
 Picture grey(const Image2<float>& field, const GreyScale& scale) {
@@ -187,30 +207,6 @@ std::vector<PreviewPicture> noise_pictures(const PreviewAsset& asset) {
     if (!has_all_texels(asset)) return {};
     return NoisePictures(asset).make();
 }
-
-namespace {
-
-constexpr int smallest_map = 256;  // pixels along the longer edge of a channel
-constexpr int largest_map = 512;
-
-// Returns how much of an asset's area has each value, with a step for each bin.
-ChartLine steps_of_histogram(const ValueStatistics& statistics, const std::string& channel) {
-    ChartLine line{channel, noise_line_colour(channel), {}, {}};
-    std::int64_t count = 0;
-    for (const std::int64_t of_bin : statistics.histogram) count += of_bin;
-    const auto bins = static_cast<double>(statistics.histogram.size());
-    for (std::size_t i = 0; i < statistics.histogram.size(); ++i) {
-        const double share = static_cast<double>(statistics.histogram[i]) /
-                             static_cast<double>(std::max<std::int64_t>(count, 1));
-        for (const double edge : {static_cast<double>(i), static_cast<double>(i) + 1}) {
-            line.x.push_back(edge / bins);
-            line.y.push_back(share);
-        }
-    }
-    return line;
-}
-
-}  // namespace
 
 std::vector<PreviewPicture> weather_map_pictures(const PreviewAsset& asset) {
     const Image2<float>& map = asset.table;

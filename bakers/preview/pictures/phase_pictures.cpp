@@ -48,31 +48,6 @@ std::vector<ChartLine> lines_of(const PreviewAsset& asset, double least_angle) {
     return lines;
 }
 
-}  // namespace
-
-std::vector<PreviewPicture> phase_pictures(const PreviewAsset& asset) {
-    const std::string& name = asset.entry.name;
-    const bool inverse = asset.entry.mapping == "share";
-    if (!inverse && !spacing_named(asset.entry.mapping)) return {};  // of another release
-    if (inverse) {
-        return {as_plot({name, "Scattering angle by share of light",
-                         "The curve shows the angle below which a share of the light is scattered, "
-                         "from the file's texels.",
-                         line_chart(lines_of(asset, 0), asset.entry.name, "share of the light",
-                                    "scattering angle (deg)", false, false)})};
-    }
-    return {as_plot({name, "Phase function", "The curves show the file's texels.",
-                     line_chart(lines_of(asset, 0), asset.entry.name, "scattering angle (deg)",
-                                "phase function (1/sr)", false, true)}),
-            as_plot({name + "_peak", "Phase function, forward peak",
-                     "The same curves over the logarithm of the angle show the forward peak.",
-                     line_chart(lines_of(asset, smallest_shown_angle),
-                                asset.entry.name + ", forward peak", "scattering angle (deg)",
-                                "phase function (1/sr)", true, true)})};
-}
-
-namespace {
-
 constexpr auto kConvention = TexelConvention::end_points_on_texel_centres;
 
 struct ShownDepth {
@@ -104,20 +79,6 @@ ChartLine line_of(const Image2<float>& table, const ShownDepth& shown) {
     }
     return line;
 }
-
-}  // namespace
-
-std::vector<PreviewPicture> forward_pictures(const PreviewAsset& asset) {
-    std::vector<ChartLine> lines;
-    for (const ShownDepth& shown : kDepths) lines.push_back(line_of(asset.table, shown));
-    return {as_plot(
-        {asset.entry.name, "Light that goes on by small angles",
-         "The curves show the factor of sunlight that is scattered once, at four optical depths to "
-         "the sun, from the file's texels.",
-         line_chart(lines, asset.entry.name, "scattering angle (deg)", "factor", false, false)})};
-}
-
-namespace {
 
 constexpr int bruneton_slice_width = 256;
 constexpr int shown_bruneton_slices = 4;
@@ -184,6 +145,37 @@ class BrunetonPictures {
 };
 
 }  // namespace
+
+std::vector<PreviewPicture> phase_pictures(const PreviewAsset& asset) {
+    const std::string& name = asset.entry.name;
+    const bool inverse = asset.entry.mapping == "share";
+    if (!inverse && !spacing_named(asset.entry.mapping)) return {};  // of another release
+    if (inverse) {
+        return {as_plot({name, "Scattering angle by share of light",
+                         "The curve shows the angle below which a share of the light is scattered, "
+                         "from the file's texels.",
+                         line_chart(lines_of(asset, 0), asset.entry.name, "share of the light",
+                                    "scattering angle (deg)", false, false)})};
+    }
+    return {as_plot({name, "Phase function", "The curves show the file's texels.",
+                     line_chart(lines_of(asset, 0), asset.entry.name, "scattering angle (deg)",
+                                "phase function (1/sr)", false, true)}),
+            as_plot({name + "_peak", "Phase function, forward peak",
+                     "The same curves over the logarithm of the angle show the forward peak.",
+                     line_chart(lines_of(asset, smallest_shown_angle),
+                                asset.entry.name + ", forward peak", "scattering angle (deg)",
+                                "phase function (1/sr)", true, true)})};
+}
+
+std::vector<PreviewPicture> forward_pictures(const PreviewAsset& asset) {
+    std::vector<ChartLine> lines;
+    for (const ShownDepth& shown : kDepths) lines.push_back(line_of(asset.table, shown));
+    return {as_plot(
+        {asset.entry.name, "Light that goes on by small angles",
+         "The curves show the factor of sunlight that is scattered once, at four optical depths to "
+         "the sun, from the file's texels.",
+         line_chart(lines, asset.entry.name, "scattering angle (deg)", "factor", false, false)})};
+}
 
 std::vector<PreviewPicture> bruneton_pictures(const PreviewAsset& asset) {
     if (!has_all_texels(asset)) return {};

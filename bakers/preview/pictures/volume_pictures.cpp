@@ -75,19 +75,6 @@ struct DistancePictures {
     }
 };
 
-}  // namespace
-
-std::vector<PreviewPicture> distance_pictures(const PreviewAsset& asset) {
-    const DistancePictures pictures(asset);
-    std::vector<PreviewPicture> all = {pictures.picture(1), pictures.picture(2)};
-    for (int channel = 1; channel < pictures.view.channels; ++channel) {
-        all.push_back(pictures.field_picture(channel));
-    }
-    return all;
-}
-
-namespace {
-
 constexpr int smallest_cell = 128;  // pixels along the longer edge of a frame
 constexpr int largest_cell = 256;
 constexpr int most_cells = 12;    // of the strip
@@ -191,6 +178,15 @@ class FlipbookPictures {
 };
 
 }  // namespace
+
+std::vector<PreviewPicture> distance_pictures(const PreviewAsset& asset) {
+    const DistancePictures pictures(asset);
+    std::vector<PreviewPicture> all = {pictures.picture(1), pictures.picture(2)};
+    for (int channel = 1; channel < pictures.view.channels; ++channel) {
+        all.push_back(pictures.field_picture(channel));
+    }
+    return all;
+}
 
 std::vector<PreviewPicture> flipbook_pictures(const PreviewAsset& asset) {
     if (!has_all_texels(asset)) return {};

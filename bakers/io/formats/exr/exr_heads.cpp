@@ -59,39 +59,6 @@ ExrPartHead part_of(const Imf::Header& header, int version) {
     return part;
 }
 
-}  // namespace
-
-config::Outcome<std::vector<ExrPartHead>> read_exr_heads(const std::filesystem::path& path) {
-    config::Outcome<FileInput> input = FileInput::open(path);
-    if (!input.value) return {{}, std::move(input.diagnostics)};
-    ExrStream stream(path.string(), std::move(*input.value));
-    try {
-        int version = 0;
-        std::vector<ExrPartHead> parts;
-        for (const Imf::Header& header : exr_headers(stream, stream.size(), version)) {
-            parts.push_back(part_of(header, version));
-        }
-        return {std::move(parts), {}};
-    } catch (const std::exception& error) {
-        if (auto failure = stream.failure()) return *failure;
-        return damaged_exr(path.string(), error.what());
-    }
-}
-
-std::string subsampled_channel(const std::vector<ExrPartHead>& parts) {
-    for (const ExrPartHead& part : parts) {
-        for (const ExrChannelHead& channel : part.channels) {
-            if (channel.sampling == std::array{1, 1}) continue;
-            return fmt::format("its channel `{}` is subsampled ({} x {})",
-                               config::printable(channel.name), channel.sampling[0],
-                               channel.sampling[1]);
-        }
-    }
-    return "";
-}
-
-namespace {
-
 constexpr std::string_view own_names = "skybake/";
 
 // Whether a byte is the second or a later one of a character of UTF-8.
@@ -149,6 +116,35 @@ void append_as_they_are(const std::string& name, const Pieces& pieces, Attribute
 }
 
 }  // namespace
+
+config::Outcome<std::vector<ExrPartHead>> read_exr_heads(const std::filesystem::path& path) {
+    config::Outcome<FileInput> input = FileInput::open(path);
+    if (!input.value) return {{}, std::move(input.diagnostics)};
+    ExrStream stream(path.string(), std::move(*input.value));
+    try {
+        int version = 0;
+        std::vector<ExrPartHead> parts;
+        for (const Imf::Header& header : exr_headers(stream, stream.size(), version)) {
+            parts.push_back(part_of(header, version));
+        }
+        return {std::move(parts), {}};
+    } catch (const std::exception& error) {
+        if (auto failure = stream.failure()) return *failure;
+        return damaged_exr(path.string(), error.what());
+    }
+}
+
+std::string subsampled_channel(const std::vector<ExrPartHead>& parts) {
+    for (const ExrPartHead& part : parts) {
+        for (const ExrChannelHead& channel : part.channels) {
+            if (channel.sampling == std::array{1, 1}) continue;
+            return fmt::format("its channel `{}` is subsampled ({} x {})",
+                               config::printable(channel.name), channel.sampling[0],
+                               channel.sampling[1]);
+        }
+    }
+    return "";
+}
 
 Attributes split_attributes(const Attributes& attributes) {
     Attributes result;
