@@ -8,6 +8,7 @@
 #include "bakers/render/scene_march.h"
 #include "bakers/render/scene_view.h"
 #include "bakers/render/sky_view.h"
+#include "bakers/render/tone_curve.h"
 
 namespace skybake {
 
@@ -170,15 +171,35 @@ CloudAir::Along CloudAir::along(double elevation_degrees, double azimuth_degrees
     return result;
 }
 
-ScreenColor daylight_screen(const Atmosphere& atmosphere, int threads) {
-    const GroundIrradiance ground = ground_irradiance(atmosphere, {kDaylightElevation, 0}, threads);
+namespace {
+
+// The light of level ground, as one texel.
+Image2<float> ground_light(const Atmosphere& atmosphere, const SunDirection& sun, int threads) {
+    const GroundIrradiance ground = ground_irradiance(atmosphere, sun, threads);
     Image2<float> light(1, 1, atmosphere.medium.air.channels);
     for (int c = 0; c < light.channels; ++c) {
         const auto i = static_cast<std::size_t>(c);
         light.texels[i] = static_cast<float>(ground.sun[i] + ground.sky[i]);
     }
+    return light;
+}
+
+}  // namespace
+
+double daylight_share(const Atmosphere& atmosphere, const SunDirection& sun, int threads) {
+    const auto seen = [&](const SunDirection& lit_by) {
+        const Image2<float> light = ground_light(atmosphere, lit_by, threads);
+        const Image2<float> shown = atmosphere.tables.screen.shown(light);
+        return luminance(shown.texel(0, 0), shown.channels);
+    };
+    const double by_day = seen({kDaylightElevation, 0});
+    return by_day > 0 ? seen(sun) / by_day : 1;
+}
+
+ScreenColor daylight_screen(const Atmosphere& atmosphere, int threads) {
     return atmosphere.tables.screen.with_white(
-        light, "the light of sun and sky on level ground under a sun of 30 degrees");
+        ground_light(atmosphere, {kDaylightElevation, 0}, threads),
+        "the light of sun and sky on level ground under a sun of 30 degrees");
 }
 
 }  // namespace skybake

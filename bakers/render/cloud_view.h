@@ -152,6 +152,9 @@ class CloudAir {
 
 inline constexpr double kDaylightElevation = 30;  // degrees
 
+// Returns the luminance of level ground under a sun, as a share of that under a sun of 30 degrees.
+double daylight_share(const Atmosphere& atmosphere, const SunDirection& sun, int threads);
+
 // Returns how the tables' channels are shown, with the white of pictures: the light of sun and sky on
 // level ground, under a sun of 30 degrees in the picture's own air. It is the "daylight" that a camera is
 // set to, and stays so in the evening, so that a low sun is orange and dusk is blue. Baked files keep

@@ -162,12 +162,6 @@ Rgb shown_by(ToneCurve curve, const Rgb& exposed) {
     return agx_of(light);
 }
 
-// Returns the luminance by Rec. 709, whose primaries are those of sRGB.
-double luminance(const float* texel, int channels) {
-    if (channels < 3) return double{texel[0]};
-    return 0.2126 * double{texel[0]} + 0.7152 * double{texel[1]} + 0.0722 * double{texel[2]};
-}
-
 // Returns the light that a curve shows as `share` of white. All curves rise with grey light.
 double light_shown_as(double share, ToneCurve curve) {
     if (curve == ToneCurve::exponential) return -std::log(1 - share);
@@ -239,6 +233,15 @@ const char* tone_curve_name(ToneCurve curve) {
             break;
     }
     return "AgX (base look)";
+}
+
+double luminance(const float* texel, int channels) {
+    if (channels < 3) return double{texel[0]};
+    return 0.2126 * double{texel[0]} + 0.7152 * double{texel[1]} + 0.0722 * double{texel[2]};
+}
+
+double dimming(double daylight_share) {
+    return std::pow(std::clamp(daylight_share, kMoonlight, 1.0), kUnadapted);
 }
 
 double exposure_by(const ExposureRule& rule, const Image2<float>& radiance, ToneCurve curve) {

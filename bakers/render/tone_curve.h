@@ -36,6 +36,9 @@ Picture tone_mapped(const Image2<float>& radiance, double exposure,
 // The text for captions: "film".
 const char* tone_curve_name(ToneCurve curve = ToneCurve::film);
 
+// Returns the luminance by Rec. 709, whose primaries are those of sRGB; grey light is its own.
+double luminance(const float* texel, int channels);
+
 // A rule by which an exposure is chosen: it brings a quantile of luminance to `share` of white, as the
 // curve shows grey, and is then multiplied by `factor`.
 struct ExposureRule {
@@ -62,6 +65,15 @@ inline constexpr ExposureRule kCloudPicture = {0.99, 0.9, 1, false, 0, 0, 0.25};
 // twentieth of the picture is brighter than 0.9 of white.
 inline constexpr ExposureRule kSkyPicture = {0.5, 0.25, 1, true, 0.95, 0.9};
 
+// The factor of exposures for a scene whose level ground has this share of the light that it has by day
+// (daylight_share of cloud_view.h). Eyes and photographers do not make up for all of what an evening lacks: a picture
+// that is as bright as by day does not look like one. What is shown is as the power kUnadapted of the light: a
+// picture of the last minutes before sunset is a stop darker than one by day. Below the light of a full moon it
+// stays.
+double dimming(double daylight_share);
+inline constexpr double kUnadapted = 0.15;
+inline constexpr double kMoonlight = 1e-6;  // of a sun of 30 degrees
+
 // Returns the exposure that the rule chooses; 1 if the quantile is black.
 double exposure_by(const ExposureRule& rule, const Image2<float>& radiance,
                    ToneCurve curve = ToneCurve::film);
@@ -69,8 +81,9 @@ double exposure_by(const ExposureRule& rule, const Image2<float>& radiance,
 inline double exposure_for(const Image2<float>& radiance, ToneCurve curve = ToneCurve::film) {
     return exposure_by(kWholePicture, radiance, curve);
 }
-inline double cloud_exposure_for(const Image2<float>& radiance, ToneCurve curve = ToneCurve::film) {
-    return exposure_by(kCloudPicture, radiance, curve);
+inline double cloud_exposure_for(const Image2<float>& radiance, ToneCurve curve = ToneCurve::film,
+                                 double daylight_share = 1) {
+    return dimming(daylight_share) * exposure_by(kCloudPicture, radiance, curve);
 }
 inline double sky_exposure_for(const Image2<float>& radiance, ToneCurve curve = ToneCurve::film) {
     return exposure_by(kSkyPicture, radiance, curve);

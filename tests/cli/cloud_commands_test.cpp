@@ -90,6 +90,25 @@ TEST_F(CloudBake, FramesSayHowMuchTheyChange) {
     EXPECT_EQ(bake().error.find("W0229"), std::string::npos);
 }
 
+// What reaches the top of its box is cut there.
+TEST_F(CloudBake, WarnsWhereACloudThatGrowsIsCut) {
+    const auto baked = [&](int height_m) {
+        write_bytes(
+            recipe_,
+            fmt::format("[clouds.c]\nshape = \"convection\"\nextent = [\"1 km\", \"1 km\", \"{} "
+                        "m\"]\n[clouds.c.convection]\ncells = [20, 20, {}]\nmixed_layer = "
+                        "\"200 m\"\ninversion = \"300 m\"\npatches = 2\npatch_width = [\"300 "
+                        "m\", \"400 m\"]\nminutes = 12\n[bake.c]\nasset = \"cloud_volume\"\n"
+                        "cloud = \"c\"\nsize = [20, 20, {}]\n",
+                        height_m, height_m / 50, height_m / 50));
+        const Result result = bake();
+        EXPECT_EQ(result.code, 0) << result.error;
+        return result.error;
+    };
+    EXPECT_NE(baked(400).find("W0230"), std::string::npos);
+    EXPECT_EQ(baked(900).find("W0230"), std::string::npos);
+}
+
 // The share of columns with cloud is stated wherever a bake speaks of its assets.
 TEST_F(CloudBake, StatesItsCoverAndWarnsWhenThereIsNone) {
     write(7, "cover = \"25 %\"\n");

@@ -24,13 +24,16 @@ const test::Sky& earth() {
     return sky;
 }
 
-// Fair-weather cumulus at a quarter of its preset's voxels along each edge.
+// Fair-weather cumulus at a quarter of its preset's voxels along each edge. In air of coarser cells it rises
+// higher, so its box is taller.
 PreviewAssets cumulus() {
     const auto presets = config::cloud_presets();
     const auto humilis = std::ranges::find(presets, "cumulus_humilis", &config::Preset::name);
-    const auto recipe = test::recipe_of(config::cloud_init_text(*humilis),
-                                        {"bake.cumulus_humilis.size=[128, 128, 16]",
-                                         "clouds.cumulus_humilis.convection.cells=[48, 48, 8]"});
+    const auto recipe =
+        test::recipe_of(config::cloud_init_text(*humilis),
+                        {"bake.cumulus_humilis.size=[128, 128, 24]",
+                         "clouds.cumulus_humilis.convection.cells=[48, 48, 12]",
+                         R"(clouds.cumulus_humilis.extent=["4 km", "4 km", "0.96 km"])"});
     return test::without_diagnostics(
         bake_assets(recipe, recipe.parameters.bakes, "test", {1, Certification::off, nullptr}));
 }
@@ -134,6 +137,23 @@ TEST(DaylightPictures, HaveTheLightOfThePlaceAsWhite) {
     EXPECT_NEAR(sheet(60)[0], 1, 0.03);
     EXPECT_NEAR(sheet(60)[1], 1, 0.03);
     EXPECT_GT(sheet(-4)[1], 1.2);
+}
+
+// From sunset, at -0.83 degrees, to the end of civil twilight the illuminance of level ground under a clear sky falls
+// from 585 to 410 lux to 3.5 to 2 (American Meteorological Society, Glossary of Meteorology, "civil twilight").
+TEST(DaylightPictures, KnowHowMuchLightEveningsHave) {
+    const auto share = [](double elevation) {
+        return daylight_share({earth().medium, earth().tables}, {elevation, 0}, 1);
+    };
+    EXPECT_DOUBLE_EQ(share(kDaylightElevation), 1);
+    const double fall = share(-0.83) / share(-6);
+    EXPECT_GT(fall, 410 / 3.5);
+    EXPECT_LT(fall, 585 / 2.0);
+    for (double elevation = -18; elevation < 90; elevation += 6) {
+        EXPECT_LT(share(elevation), share(elevation + 6)) << elevation;
+    }
+    const test::Sky vacuum = test::sky_of("vacuum");
+    EXPECT_EQ(daylight_share({vacuum.medium, vacuum.tables}, {-5, 0}, 1), 0);
 }
 
 }  // namespace

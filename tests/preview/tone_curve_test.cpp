@@ -276,5 +276,22 @@ TEST(CloudExposureFor, LetsTheGlowAroundTheSunBurnOut) {
     EXPECT_NEAR(shown(fill(20, 5, 0) * 5, ToneCurve::film), 0.9, 2e-3) << "black has no exposure";
 }
 
+// What is shown is as a power of the light, whatever the light.
+TEST(CloudExposureFor, LeavesEveningsDarkerThanDays) {
+    const Image2<float> image = [] {
+        Image2<float> white(1, 1, 3);
+        std::fill_n(white.texel(0, 0), 3, 4.0F);
+        return white;
+    }();
+    const auto exposure = [&](double share) {
+        return cloud_exposure_for(image, ToneCurve::film, share);
+    };
+    EXPECT_EQ(exposure(1), cloud_exposure_for(image));
+    EXPECT_EQ(exposure(1.7), exposure(1));
+    EXPECT_NEAR(exposure(0.01) / exposure(0.1), exposure(0.1) / exposure(1), 1e-12);
+    EXPECT_NEAR(exposure(0.01) / exposure(1), 0.5, 0.002) << "a stop for a hundredth";
+    EXPECT_EQ(exposure(0), exposure(kMoonlight));
+}
+
 }  // namespace
 }  // namespace skybake

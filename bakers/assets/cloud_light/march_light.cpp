@@ -27,7 +27,7 @@ PlaceGrid places_in(const std::array<int, 3>& voxels, double most_cells) {
     int cell = 2;
     PlaceGrid places = place_grid(voxels, cell, false);
     while (voxels_of(places.count, 1) > most_cells && cell < longest) {
-        cell *= 2;
+        ++cell;
         places = place_grid(voxels, cell, false);
     }
     return places;

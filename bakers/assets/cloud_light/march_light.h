@@ -21,7 +21,7 @@ namespace skybake::cloud_light {
 inline constexpr double kLowestSolvedSun_deg = 1;
 
 // The most cells for which light is solved: those of pictures, and of drafts.
-inline constexpr double kCellsOfPicture = 1 << 20;
+inline constexpr double kCellsOfPicture = 5 << 18;
 inline constexpr double kCellsOfDraft = 1 << 14;
 
 // What the light of a layer of so many voxels takes, for pictures under one sun.
@@ -30,8 +30,8 @@ Estimate march_light_estimate(double voxels);
 // The light of a layer under any sun; what does not depend on the sun is solved for once.
 class MarchLight {
   public:
-    // Cells are cubes of 2, 4, 8 ... voxels, the smallest of which there are at most `most_cells`. A tile
-    // that does not repeat has an empty margin of half of its edge on each side.
+    // Cells are boxes of at most 2, 3, 4 ... voxels along each edge, the smallest of which there are at most
+    // `most_cells`. A tile that does not repeat has an empty margin of half of its edge on each side.
     MarchLight(const CloudMedium& medium, double most_cells, const BakeOptions& options);
 
     // Sunlight comes from below where the sun is below the horizon of a layer that is above it. Returns nothing for a

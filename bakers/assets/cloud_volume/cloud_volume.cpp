@@ -163,6 +163,30 @@ std::optional<Diagnostic> empty_volume(const Baked& volume) {
                      "raise the coverage, or ask for a share of the sky: cover = \"40 %\"");
 }
 
+// Warns (W0230) of a cloud that has grown up to the top of its box. It shows where more than this share of the
+// columns with cloud end there.
+constexpr double kSeenCut = 0.01;
+
+std::optional<Diagnostic> cut_by_top(const Cloud& cloud, const Baked& volume) {
+    const double covered = number_named(volume.details, covered_columns).value_or(0);
+    if (cloud.shape != config::CloudShape::convection || covered == 0) return std::nullopt;
+    const Level& level = volume.levels.front();
+    const VoxelBox top = {{0, 0, level.size[2] - 1}, {level.size[0], level.size[1], 1}};
+    std::vector<float> densities(static_cast<std::size_t>(top.count()));
+    std::vector<float*> channels(volume.channel_names.size(), nullptr);
+    channels.front() = densities.data();
+    level.voxels->fill(top, channels);
+    const auto cut = std::ranges::count_if(densities, [](float density) { return density > 0; });
+    const double share = static_cast<double>(cut) / static_cast<double>(densities.size()) / covered;
+    if (share <= kSeenCut) return std::nullopt;
+    return diagnosis(
+        "W0230",
+        fmt::format("the cloud of `{}` is cut by the top of its box in {:.2g} % of its "
+                    "columns, and flat there",
+                    volume.name, 100 * share),
+        "raise the last number of its extent, of its cells and of this size");
+}
+
 // Replaces the voxels on demand of a volume by voxels in memory, if there is room for them.
 void hold_shared(const Cloud& cloud, const CloudVolumeBake& bake, const CloudInputs& inputs,
                  const BakeOptions& options, Baked& volume) {
@@ -247,8 +271,10 @@ Outcome<Baked> bake_cloud_volume(const Cloud& cloud, const CloudVolumeBake& bake
                             int) { return place_of(spanned, uvw); },
          .covered_above = filtered_threshold(cloud)},
         options);
-    if (finished.value) {
-        if (auto warning = empty_volume(*finished.value)) finished.diagnostics.push_back(*warning);
+    if (!finished.value) return finished;
+    for (const auto& warning :
+         {empty_volume(*finished.value), cut_by_top(cloud, *finished.value)}) {
+        if (warning) finished.diagnostics.push_back(*warning);
     }
     return finished;
 }

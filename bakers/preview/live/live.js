@@ -180,6 +180,15 @@
 
     // --- Frames -----------------------------------------------------------------------------------
 
+    // The factor of exposures by the sun's elevation, linear between those of the scene.
+    function dimming(by_sun) {
+        if (!by_sun) return 1;
+        const {first_deg, step_deg, factors} = by_sun, last = factors.length - 1;
+        const at = Math.max(0, Math.min(last, (page.view.sun_elevation - first_deg) / step_deg));
+        const low = Math.min(Math.floor(at), last - 1);
+        return factors[low] + (at - low) * (factors[low + 1] - factors[low]);
+    }
+
     // Chooses the exposure by the scene's rule, which is that of the preview's pictures (tone_curve.h).
     function fit_exposure(target) {
         const rule = page.scene.exposure;
@@ -195,6 +204,7 @@
         const least = rule.least_median ? stops(rule.least_median, 0.5) : -Infinity;
         if (least < Infinity) chosen = Math.max(chosen, least);
         if (rule.bright_light) chosen = Math.min(chosen, stops(rule.bright_light, rule.bright_quantile));
+        chosen += Math.log2(dimming(rule.dimming));
         if (Number.isFinite(chosen)) page.view.exposure = Math.max(-4, Math.min(30, chosen));
         page.fits_exposure = false;
         tell_controls();

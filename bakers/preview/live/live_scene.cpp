@@ -16,6 +16,8 @@
 #include "bakers/preview/live/live_glsl.h"
 #include "bakers/preview/pictures/cloud_lighting.h"
 #include "bakers/preview/runtime/runtime_library.h"
+#include "bakers/render/cloud_view.h"
+#include "bakers/render/tone_curve.h"
 #include "config/assets/asset_kind.h"
 #include "config/recipe/recipe.h"
 
@@ -170,6 +172,19 @@ Json exposure_json(const ExposureRule& rule) {
         {"least_median", rule.least_median > 0 ? light_json(rule.least_median, 1) : Json(nullptr)}};
 }
 
+// The factors of exposures for suns from `first_deg` on, each `step_deg` higher than the one before, up to the sun by
+// day.
+Json dimming_json(const RuntimeAir& light, int threads) {
+    constexpr double kFirst = -18, kStep = 3;
+    const auto tables = make_sky_tables(*light.transmittance, light.multiple_scattering);
+    Json factors = Json::array();
+    for (double sun = kFirst; tables.value && sun <= kDaylightElevation; sun += kStep) {
+        factors.push_back(
+            dimming(daylight_share({light.medium, *tables.value}, {sun, 0}, threads)));
+    }
+    return {{"first_deg", kFirst}, {"step_deg", kStep}, {"factors", factors}};
+}
+
 Json view_json(const PreviewOptions& options, const CloudCamera& camera, double thickness_km) {
     const double sun_deg =
         options.sun_elevations_deg.empty() ? 20 : options.sun_elevations_deg.front();
@@ -220,7 +235,9 @@ Json scene_of(const PreviewAssets& assets, const PreviewOptions& options, const 
         scene["clouds"] = clouds_json(clouds, framed, scene["textures"]);
         scene["cloud_glsl"] = live_cloud_glsl(clouds);
     }
-    scene["exposure"] = exposure_json(scene["clouds"].empty() ? kSkyPicture : kCloudPicture);
+    const bool is_clear = scene["clouds"].empty();
+    scene["exposure"] = exposure_json(is_clear ? kSkyPicture : kCloudPicture);
+    scene["exposure"]["dimming"] = is_clear ? Json(nullptr) : dimming_json(light, options.threads);
     scene["view"] = view_json(options, camera, light.medium.air.thickness_km);
     return scene;
 }

@@ -38,6 +38,7 @@ struct LitScene {
     const std::string& leaps_name;
     const std::optional<SolvedSky>& sky;
     const std::optional<LightInCloud>& light;  // within the cloud
+    double daylight;                           // daylight_share of the sun
     SceneRenderer renderer;
 };
 
@@ -77,7 +78,7 @@ PreviewPicture lit_picture(LitScene& scene, const CloudViewSettings& settings,
     const CloudView view = scene.renderer.render(frame_of(settings), threads, progress);
     const Image2<float> shown = scene.lighting.tables.screen.shown(view.radiance);
     const ToneCurve curve = scene.input.tone_curve;
-    if (!exposure) exposure = cloud_exposure_for(shown, curve);
+    if (!exposure) exposure = cloud_exposure_for(shown, curve, scene.daylight);
     PreviewPicture picture;
     picture.tab = sun_words(scene.input, scene.sun);
     picture.name =
@@ -158,6 +159,7 @@ void add_lit_pictures(const CloudPreviewInput& input, const LeapingMedium& cloud
             cloud.leaps_name,
             sky,
             light,
+            daylight_share(atmosphere, sun, threads),
             SceneRenderer({layer_of(cloud.medium, light, views)}, atmosphere, sun, threads)};
         for (std::size_t i = 0; i < views.size() && !is_cancelled(input.progress); ++i) {
             ProgressPart part(input.progress, step, done, share);

@@ -101,8 +101,11 @@ PreviewPicture scene_picture(const CloudPreviewInput& input, const Lighting& lig
                            sun, threads);
     const CloudView view = renderer.render(frame, threads, progress);
     const Image2<float> shown = lighting.tables.screen.shown(view.radiance);
-    const double exposure = input.exposure_stops ? std::exp2(*input.exposure_stops)
-                                                 : cloud_exposure_for(shown, input.tone_curve);
+    const double exposure =
+        input.exposure_stops
+            ? std::exp2(*input.exposure_stops)
+            : cloud_exposure_for(shown, input.tone_curve,
+                                 daylight_share({lighting.medium, lighting.tables}, sun, threads));
     PreviewPicture picture;
     picture.tab = sun_words(input, sun);
     picture.name = "scene_" + sun_name(input, sun);
