@@ -1,6 +1,6 @@
 // Fills a box with a sum of octaves of gradient noise, chunk by chunk, by the kernel that suits each
-// octave: gradient_kernel.h for the first ones, while voxels share lattice points, scattered_kernel.h
-// from the first octave on in which they do not, or scattered_kernel.h if samples are displaced.
+// octave: gradient_kernel.h for the first ones, while voxels share lattice points, and scattered_kernel.h
+// from the first octave on in which they do not, or for all octaves if samples are displaced.
 #pragma once
 
 #include <array>

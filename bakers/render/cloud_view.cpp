@@ -9,6 +9,7 @@
 #include "bakers/render/scene_view.h"
 #include "bakers/render/sky_view.h"
 #include "bakers/render/tone_curve.h"
+#include "config/text/mapped.h"
 
 namespace skybake {
 
@@ -98,6 +99,16 @@ GroundIrradiance ground_irradiance(const Atmosphere& atmosphere, const SunDirect
 
 namespace {
 
+// The light of level ground, as one texel.
+Image2<float> ground_light(const Atmosphere& atmosphere, const SunDirection& sun, int threads) {
+    const GroundIrradiance ground = ground_irradiance(atmosphere, sun, threads);
+    Image2<float> light(1, 1, atmosphere.medium.air.channels);
+    for (std::size_t c = 0; c < light.texels.size(); ++c) {
+        light.texels[c] = static_cast<float>(ground.sun[c] + ground.sky[c]);
+    }
+    return light;
+}
+
 // Few azimuths suffice, because the sky changes slowly along azimuth.
 constexpr int kAzimuths = 256;
 
@@ -171,29 +182,16 @@ CloudAir::Along CloudAir::along(double elevation_degrees, double azimuth_degrees
     return result;
 }
 
-namespace {
-
-// The light of level ground, as one texel.
-Image2<float> ground_light(const Atmosphere& atmosphere, const SunDirection& sun, int threads) {
-    const GroundIrradiance ground = ground_irradiance(atmosphere, sun, threads);
-    Image2<float> light(1, 1, atmosphere.medium.air.channels);
-    for (int c = 0; c < light.channels; ++c) {
-        const auto i = static_cast<std::size_t>(c);
-        light.texels[i] = static_cast<float>(ground.sun[i] + ground.sky[i]);
-    }
-    return light;
-}
-
-}  // namespace
-
-double daylight_share(const Atmosphere& atmosphere, const SunDirection& sun, int threads) {
-    const auto seen = [&](const SunDirection& lit_by) {
-        const Image2<float> light = ground_light(atmosphere, lit_by, threads);
+std::vector<double> daylight_shares(const Atmosphere& atmosphere,
+                                    const std::vector<SunDirection>& suns, int threads) {
+    const auto seen = [&](const SunDirection& sun) {
+        const Image2<float> light = ground_light(atmosphere, sun, threads);
         const Image2<float> shown = atmosphere.tables.screen.shown(light);
         return luminance(shown.texel(0, 0), shown.channels);
     };
     const double by_day = seen({kDaylightElevation, 0});
-    return by_day > 0 ? seen(sun) / by_day : 1;
+    return mapped<double>(
+        suns, [&](const SunDirection& sun) { return by_day > 0 ? seen(sun) / by_day : 1; });
 }
 
 ScreenColor daylight_screen(const Atmosphere& atmosphere, int threads) {

@@ -23,6 +23,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "bakers/air/medium.h"
 #include "bakers/air/ray.h"
@@ -152,8 +153,9 @@ class CloudAir {
 
 inline constexpr double kDaylightElevation = 30;  // degrees
 
-// Returns the luminance of level ground under a sun, as a share of that under a sun of 30 degrees.
-double daylight_share(const Atmosphere& atmosphere, const SunDirection& sun, int threads);
+// Returns the luminance of level ground under each sun, as a share of that under a sun of 30 degrees.
+std::vector<double> daylight_shares(const Atmosphere& atmosphere,
+                                    const std::vector<SunDirection>& suns, int threads);
 
 // Returns how the tables' channels are shown, with the white of pictures: the light of sun and sky on
 // level ground, under a sun of 30 degrees in the picture's own air. It is the "daylight" that a camera is

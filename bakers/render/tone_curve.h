@@ -65,11 +65,9 @@ inline constexpr ExposureRule kCloudPicture = {0.99, 0.9, 1, false, 0, 0, 0.25};
 // twentieth of the picture is brighter than 0.9 of white.
 inline constexpr ExposureRule kSkyPicture = {0.5, 0.25, 1, true, 0.95, 0.9};
 
-// The factor of exposures for a scene whose level ground has this share of the light that it has by day
-// (daylight_share of cloud_view.h). Eyes and photographers do not make up for all of what an evening lacks: a picture
-// that is as bright as by day does not look like one. What is shown is as the power kUnadapted of the light: a
-// picture of the last minutes before sunset is a stop darker than one by day. Below the light of a full moon it
-// stays.
+// The factor of exposures for a scene whose level ground has this share of its light by day (daylight_shares of
+// cloud_view.h). A picture of an evening that is as bright as one by day does not look like an evening, so what is
+// shown is as the power kUnadapted of the light: a stop for a hundredth. Below the light of a full moon it stays.
 double dimming(double daylight_share);
 inline constexpr double kUnadapted = 0.15;
 inline constexpr double kMoonlight = 1e-6;  // of a sun of 30 degrees

@@ -137,9 +137,8 @@ const ConvectionField convection_table[] = {
     {"minutes", Kind::number, &Convection::minutes, "minutes for which the cloud grows",
      minutes_range, Default{"20"}},
     {"loop_minutes", Kind::number, &Convection::loop_minutes,
-     "minutes of the flow that a loop of the cloud's `period` frames shows, at most those for "
-     "which "
-     "it grows; two seconds per frame by default",
+     "minutes of the flow that a loop of the cloud's `period` frames shows, at most those "
+     "for which it grows; two seconds per frame by default",
      loop_range, Hint{"the last frames of a loop turn into the first ones"}},
     {"relief", Kind::number, &Convection::relief,
      "how far the cloud's detail noise moves its edge, outwards where the noise is 1 and inwards "

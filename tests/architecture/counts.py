@@ -22,9 +22,9 @@ SECTIONS = ("noise", "cloud", "layer", "volume", "files")
 MOST_SECTION_UNITS = 170
 # A change that adds a feature gives as many lines back. Lower these where lines were saved. Published tables
 # (*.inc) are data, as presets are, and do not count.
-MOST_PRODUCT_LINES = 132_907
-MOST_TEST_LINES = 75_177
-MOST_HELPER_LINES = 19_261
+MOST_PRODUCT_LINES = 132_905
+MOST_TEST_LINES = 75_172
+MOST_HELPER_LINES = 19_258
 
 
 def sources(*rooms):

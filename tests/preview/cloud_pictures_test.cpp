@@ -13,24 +13,17 @@
 #include "bakers/render/stage_progress.h"
 #include "config/assets/occupancy.h"
 #include "tests/preview/captions.h"
-#include "tests/support/atmospheres.h"
+#include "tests/preview/skies.h"
 
 namespace skybake {
 namespace {
 
 // Air that costs little: the sky is not what these tests look at.
-struct CheapAir {
-    config::Recipe recipe = test::recipe_of(
+const PreviewAssets& cheap_air() {
+    static const PreviewAssets air = test::baked(
         "preset = 'earth_hillaire'\n[bake.transmittance]\nsize = [64, 16]\n"
-        "[bake.multiple_scattering]\nsize = [16, 16]\nmethod = 'converged'\nmapping = 'hillaire'\n",
-        {});
-    PreviewAssets assets = std::move(
-        *bake_assets(recipe, recipe.parameters.bakes, "test", {1, Certification::off, nullptr})
-             .value);
-};
-
-const CheapAir& cheap_air() {
-    static const CheapAir air;
+        "[bake.multiple_scattering]\nsize = [16, 16]\nmethod = 'converged'\nmapping = "
+        "'hillaire'\n");
     return air;
 }
 
@@ -72,9 +65,9 @@ struct BakedCloud {
     }
     CloudPreviewInput input() const {
         CloudPreviewInput input = input_under_earth();
-        input.air = &cheap_air().recipe;
-        input.transmittance = cheap_air().assets.of_kind("transmittance");
-        input.multiple_scattering = cheap_air().assets.of_kind("multiple_scattering");
+        input.air = &*cheap_air().recipe;
+        input.transmittance = cheap_air().of_kind("transmittance");
+        input.multiple_scattering = cheap_air().of_kind("multiple_scattering");
         input.table_sky = true;
         return input;
     }

@@ -29,13 +29,10 @@ const test::Sky& earth() {
 PreviewAssets cumulus() {
     const auto presets = config::cloud_presets();
     const auto humilis = std::ranges::find(presets, "cumulus_humilis", &config::Preset::name);
-    const auto recipe =
-        test::recipe_of(config::cloud_init_text(*humilis),
-                        {"bake.cumulus_humilis.size=[128, 128, 24]",
-                         "clouds.cumulus_humilis.convection.cells=[48, 48, 12]",
-                         R"(clouds.cumulus_humilis.extent=["4 km", "4 km", "0.96 km"])"});
-    return test::without_diagnostics(
-        bake_assets(recipe, recipe.parameters.bakes, "test", {1, Certification::off, nullptr}));
+    return test::baked(config::cloud_init_text(*humilis),
+                       {"bake.cumulus_humilis.size=[128, 128, 24]",
+                        "clouds.cumulus_humilis.convection.cells=[48, 48, 12]",
+                        R"(clouds.cumulus_humilis.extent=["4 km", "4 km", "0.96 km"])"});
 }
 
 // The input of small pictures under a sun of 35 degrees in Earth's sky, from below the clouds.
@@ -143,7 +140,7 @@ TEST(DaylightPictures, HaveTheLightOfThePlaceAsWhite) {
 // from 585 to 410 lux to 3.5 to 2 (American Meteorological Society, Glossary of Meteorology, "civil twilight").
 TEST(DaylightPictures, KnowHowMuchLightEveningsHave) {
     const auto share = [](double elevation) {
-        return daylight_share({earth().medium, earth().tables}, {elevation, 0}, 1);
+        return daylight_shares({earth().medium, earth().tables}, {{elevation, 0}}, 1).front();
     };
     EXPECT_DOUBLE_EQ(share(kDaylightElevation), 1);
     const double fall = share(-0.83) / share(-6);
@@ -153,7 +150,7 @@ TEST(DaylightPictures, KnowHowMuchLightEveningsHave) {
         EXPECT_LT(share(elevation), share(elevation + 6)) << elevation;
     }
     const test::Sky vacuum = test::sky_of("vacuum");
-    EXPECT_EQ(daylight_share({vacuum.medium, vacuum.tables}, {-5, 0}, 1), 0);
+    EXPECT_EQ(daylight_shares({vacuum.medium, vacuum.tables}, {{-5, 0}}, 1).front(), 0);
 }
 
 }  // namespace

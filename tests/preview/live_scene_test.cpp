@@ -15,13 +15,13 @@
 #include "bakers/render/cloud_view.h"
 #include "bakers/render/scene_march.h"
 #include "bakers/render/tone_curve.h"
-#include "tests/support/atmospheres.h"
-#include "tests/support/outcomes.h"
+#include "tests/preview/skies.h"
 
 namespace skybake {
 namespace {
 
 using nlohmann::json;
+using test::baked;
 
 const std::string kSky =
     "preset = \"earth_hillaire\"\n[bake.transmittance]\nsize = [64, 16]\n"
@@ -31,12 +31,6 @@ const std::string kCloud =
     "octaves = 1\n[clouds.c]\nnoise = \"n\"\nextent = [\"3 km\", \"2 km\", \"0.7 km\"]\n"
     "base_altitude = \"1 km\"\ncoverage = 0.6\nextinction_scale = \"40 /km\"\n"
     "[bake.volume]\nasset = \"cloud_volume\"\ncloud = \"c\"\nsize = [16, 12, 8]\n";
-
-PreviewAssets baked(const std::string& text) {
-    const auto recipe = test::recipe_of(text, {});
-    return test::without_diagnostics(
-        bake_assets(recipe, recipe.parameters.bakes, "test", {1, Certification::off, nullptr}));
-}
 
 json scene_of(const std::string& text, const PreviewOptions& options = {}) {
     const auto scene = live_scene(baked(text), options);
@@ -89,11 +83,9 @@ TEST(LiveScene, HoldsACloudAndBakesTheLightThatIsMissing) {
 TEST(LiveScene, PrintsTheWhiteOfItsDaylight) {
     const PreviewAssets assets = baked(kSky);
     const std::string film = runtime_library(assets, 1);
-    const auto tables =
-        make_sky_tables(*assets.of_kind("transmittance"), assets.of_kind("multiple_scattering"));
+    const RuntimeAir air = *runtime_air(*assets.recipe, assets, 1);
     const GroundIrradiance ground =
-        ground_irradiance({make_sky_medium(assets.recipe->parameters.atmosphere), *tables.value},
-                          {kDaylightElevation, 0}, 1);
+        ground_irradiance({air.medium, air.tables}, {kDaylightElevation, 0}, 1);
     glm::dvec3 white(0);
     for (std::size_t c = 0; c < 3; ++c) {
         const std::size_t at = film.find(std::string("light.") + "xyz"[c] + " * vec3(");
@@ -166,6 +158,20 @@ TEST(LiveScene, HasThePicturesRuleOfExposure) {
               std::pair{"agx", ToneCurve::agx}}) {
             EXPECT_NEAR(exposure["light"][name], 0.5 * exposure_by(rule, grey, curve), 1e-6);
         }
+    }
+}
+
+// By the page's table, pictures under a sun of -6, 12 and 30 degrees are as dark as those of clouds are.
+TEST(LiveScene, DimsEveningsWithCloudsAsPicturesDo) {
+    EXPECT_TRUE(scene_of(kSky)["exposure"]["dimming"].is_null());
+    const PreviewAssets assets = baked(kSky);
+    const json dimmed = scene_of(kSky + kCloud)["exposure"]["dimming"];
+    const double first = dimmed["first_deg"], step = dimmed["step_deg"];
+    const RuntimeAir air = *runtime_air(*assets.recipe, assets, 1);
+    for (const double sun : {-6, 12, 30}) {
+        const double share = daylight_shares({air.medium, air.tables}, {{sun, 0}}, 1).front();
+        const auto at = static_cast<std::size_t>((sun - first) / step);
+        EXPECT_NEAR(dimmed["factors"][at], dimming(share), 1e-6) << sun;
     }
 }
 

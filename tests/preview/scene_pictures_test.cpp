@@ -5,19 +5,17 @@
 #include <string>
 #include <vector>
 
-#include "bakers/preview/bake_assets.h"
 #include "bakers/preview/cloud_inputs.h"
 #include "bakers/preview/make_preview.h"
 #include "tests/preview/captions.h"
-#include "tests/support/atmospheres.h"
-#include "tests/support/outcomes.h"
+#include "tests/preview/skies.h"
 
 namespace skybake {
 namespace {
 
 // Two clouds, of which one was baked twice, and a sky.
 PreviewAssets baked_scene() {
-    const auto recipe = test::recipe_of(
+    return test::baked(
         "preset = \"earth_hillaire\"\n[noise.n]\nsize = [32, 32, 32]\n[noise.n.channels.Y]\n"
         "type = \"worley\"\nfrequency = 3\noctaves = 1\n"
         "[clouds.low]\nnoise = \"n\"\nextent = [\"3 km\", \"2 km\", \"0.7 km\"]\n"
@@ -28,10 +26,7 @@ PreviewAssets baked_scene() {
         "method = \"converged\"\nmapping = \"hillaire\"\nsize = [16, 16]\n"
         "[bake.coarse]\nasset = \"cloud_volume\"\ncloud = \"low\"\nsize = [16, 10, 8]\n"
         "[bake.fine]\nasset = \"cloud_volume\"\ncloud = \"low\"\nsize = [32, 20, 10]\n"
-        "[bake.veil]\nasset = \"cloud_volume\"\ncloud = \"high\"\nsize = [16, 16, 8]\n",
-        {});
-    return test::without_diagnostics(
-        bake_assets(recipe, recipe.parameters.bakes, "test", {1, Certification::off, nullptr}));
+        "[bake.veil]\nasset = \"cloud_volume\"\ncloud = \"high\"\nsize = [16, 16, 8]\n");
 }
 
 PreviewOptions small() {

@@ -9,11 +9,19 @@
 #include "bakers/assets/registry/registry.h"
 #include "bakers/field/baked.h"
 #include "bakers/io/manifest/metadata.h"
+#include "bakers/preview/bake_assets.h"
 #include "bakers/render/sky_view.h"
 #include "tests/support/atmospheres.h"
 #include "tests/support/outcomes.h"
 
 namespace skybake::test {
+
+// Bakes all assets of a recipe for a preview, which must not warn.
+inline PreviewAssets baked(const std::string& text, const std::vector<std::string>& settings = {}) {
+    const auto recipe = recipe_of(text, settings);
+    return without_diagnostics(
+        bake_assets(recipe, recipe.parameters.bakes, "test", {1, Certification::off, nullptr}));
+}
 
 struct Sky {
     config::Recipe recipe;

@@ -278,11 +278,7 @@ TEST(CloudExposureFor, LetsTheGlowAroundTheSunBurnOut) {
 
 // What is shown is as a power of the light, whatever the light.
 TEST(CloudExposureFor, LeavesEveningsDarkerThanDays) {
-    const Image2<float> image = [] {
-        Image2<float> white(1, 1, 3);
-        std::fill_n(white.texel(0, 0), 3, 4.0F);
-        return white;
-    }();
+    const Image2<float> image = texel({4, 4, 4});
     const auto exposure = [&](double share) {
         return cloud_exposure_for(image, ToneCurve::film, share);
     };

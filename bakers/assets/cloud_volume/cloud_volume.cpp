@@ -181,8 +181,7 @@ std::optional<Diagnostic> cut_by_top(const Cloud& cloud, const Baked& volume) {
     if (share <= kSeenCut) return std::nullopt;
     return diagnosis(
         "W0230",
-        fmt::format("the cloud of `{}` is cut by the top of its box in {:.2g} % of its "
-                    "columns, and flat there",
+        fmt::format("`{}` is cut flat by the top of its box in {:.2g} % of its columns",
                     volume.name, 100 * share),
         "raise the last number of its extent, of its cells and of this size");
 }

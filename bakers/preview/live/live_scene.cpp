@@ -20,6 +20,7 @@
 #include "bakers/render/tone_curve.h"
 #include "config/assets/asset_kind.h"
 #include "config/recipe/recipe.h"
+#include "config/text/mapped.h"
 
 namespace skybake {
 namespace {
@@ -176,12 +177,10 @@ Json exposure_json(const ExposureRule& rule) {
 // day.
 Json dimming_json(const RuntimeAir& light, int threads) {
     constexpr double kFirst = -18, kStep = 3;
-    const auto tables = make_sky_tables(*light.transmittance, light.multiple_scattering);
-    Json factors = Json::array();
-    for (double sun = kFirst; tables.value && sun <= kDaylightElevation; sun += kStep) {
-        factors.push_back(
-            dimming(daylight_share({light.medium, *tables.value}, {sun, 0}, threads)));
-    }
+    std::vector<SunDirection> suns;
+    for (double sun = kFirst; sun <= kDaylightElevation; sun += kStep) suns.push_back({sun, 0});
+    const auto factors =
+        mapped<double>(daylight_shares({light.medium, light.tables}, suns, threads), dimming);
     return {{"first_deg", kFirst}, {"step_deg", kStep}, {"factors", factors}};
 }
 

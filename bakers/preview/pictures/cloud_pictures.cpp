@@ -38,7 +38,7 @@ struct LitScene {
     const std::string& leaps_name;
     const std::optional<SolvedSky>& sky;
     const std::optional<LightInCloud>& light;  // within the cloud
-    double daylight;                           // daylight_share of the sun
+    double daylight;                           // of daylight_shares
     SceneRenderer renderer;
 };
 
@@ -141,6 +141,8 @@ void add_lit_pictures(const CloudPreviewInput& input, const LeapingMedium& cloud
     ProgressPart solving(input.progress, "light within the cloud", 0, 0);
     const std::optional<cloud_light::MarchLight> within =
         light_within(input, cloud.medium, {.threads = threads, .progress = &solving});
+    const std::vector<double> daylight =
+        daylight_shares({lighting.medium, lighting.tables}, input.suns, threads);
     for (std::size_t s = 0; s < input.suns.size(); ++s) {
         const SunDirection& sun = input.suns[s];
         const std::string step = fmt::format("lighting, sun {:g} deg", sun.elevation_degrees);
@@ -159,7 +161,7 @@ void add_lit_pictures(const CloudPreviewInput& input, const LeapingMedium& cloud
             cloud.leaps_name,
             sky,
             light,
-            daylight_share(atmosphere, sun, threads),
+            daylight[s],
             SceneRenderer({layer_of(cloud.medium, light, views)}, atmosphere, sun, threads)};
         for (std::size_t i = 0; i < views.size() && !is_cancelled(input.progress); ++i) {
             ProgressPart part(input.progress, step, done, share);

@@ -81,7 +81,7 @@ std::string scene_caption(const CloudPreviewInput& input, const Lighting& lighti
 
 PreviewPicture scene_picture(const CloudPreviewInput& input, const Lighting& lighting,
                              const std::vector<NamedLayer>& layers, const SunDirection& sun,
-                             int threads, Progress* progress) {
+                             double daylight, int threads, Progress* progress) {
     FramedScene scene = framed(input, layers, sun);
     ProgressPart solving(progress, "light within the clouds", 0, 0);
     const auto lights = mapped<std::optional<LightInCloud>>(layers, [&](const NamedLayer& layer) {
@@ -101,11 +101,9 @@ PreviewPicture scene_picture(const CloudPreviewInput& input, const Lighting& lig
                            sun, threads);
     const CloudView view = renderer.render(frame, threads, progress);
     const Image2<float> shown = lighting.tables.screen.shown(view.radiance);
-    const double exposure =
-        input.exposure_stops
-            ? std::exp2(*input.exposure_stops)
-            : cloud_exposure_for(shown, input.tone_curve,
-                                 daylight_share({lighting.medium, lighting.tables}, sun, threads));
+    const double exposure = input.exposure_stops
+                                ? std::exp2(*input.exposure_stops)
+                                : cloud_exposure_for(shown, input.tone_curve, daylight);
     PreviewPicture picture;
     picture.tab = sun_words(input, sun);
     picture.name = "scene_" + sun_name(input, sun);
@@ -129,11 +127,14 @@ std::vector<PreviewPicture> scene_pictures(const std::vector<CloudPreviewInput>&
     const std::optional<Lighting> lighting = lighting_of(first, threads);
     if (layers.empty() || !lighting) return pictures;
     const double share = 1.0 / static_cast<double>(first.suns.size());
+    const std::vector<double> daylight =
+        daylight_shares({lighting->medium, lighting->tables}, first.suns, threads);
     for (const SunDirection& sun : first.suns) {
         if (is_cancelled(first.progress)) return pictures;
         ProgressPart part(first.progress, fmt::format("sun {:g} deg", sun.elevation_degrees),
                           share * static_cast<double>(pictures.size()), share);
-        pictures.push_back(scene_picture(first, *lighting, layers, sun, threads, &part));
+        pictures.push_back(scene_picture(first, *lighting, layers, sun, daylight[pictures.size()],
+                                         threads, &part));
     }
     return pictures;
 }
