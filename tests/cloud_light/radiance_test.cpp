@@ -224,6 +224,38 @@ TEST(Radiance, IsTheSumOfAllOrders) {
     }
 }
 
+// Light that enters evenly from all sides is even within, where nothing is absorbed: a furnace. Gaps between thick
+// cells let it in, which coarser cells do not have.
+TEST(Radiance, OfGapsBetweenThickCellsIsThatOfAFurnace) {
+    const std::array<int, 3> size = {60, 60, 34};
+    const CloudLayer gaps = test::rough_layer(size, 0.6);
+    CloudLayer lone = gaps;
+    testing::for_each_voxel(size, [&](int x, int y, int z) {
+        if (std::max({std::abs(2 * x - 60), std::abs(2 * y - 60), std::abs(2 * z - 34)}) > 24) {
+            lone.values[occupancy::index_of(size, x, y, z)] = 0;
+        }
+    });
+    for (const CloudLayer& layer : {gaps, lone}) {
+        for (const double depth : {5.0, 50.0, 500.0}) {
+            LayerCells cells{CellFields(size, 1), {10, 10, 10}};
+            testing::for_each_voxel(size, [&](int x, int y, int z) {
+                cells.extinction.row(0, z, y)[x] =
+                    static_cast<float>(depth / 10) * layer.value(x, y, z);
+            });
+            const RadianceLevels levels(cells, {1, 0.7}, on(2));
+            const ScatteredLight found = levels.solve(CellFields(size, 4), {1, 1}, {1e-5}, on(2));
+            EXPECT_LE(found.sweeps, 25) << depth;
+            const double even = std::sqrt(4 * std::numbers::pi);
+            double worst = 0;
+            for (const float value : values_of(found.light, 0)) {
+                worst = std::max(worst, std::fabs(value - even) / even);
+            }
+            // Light of a thick cell leaves it so slowly that a change of 1e-5 stands for a depth's share of error.
+            EXPECT_LT(worst, 1e-3 + 1e-5 * depth) << depth;
+        }
+    }
+}
+
 // Light that is even stays so, and cells send out as much together as apart.
 TEST(CoarserCells, SendOutWhatTheyTake) {
     const std::array<int, 3> size = {15, 14, 11};

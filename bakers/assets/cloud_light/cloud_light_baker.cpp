@@ -171,7 +171,7 @@ void draft(CloudLightBake& asset, int) {
 }  // namespace
 
 Baker<CloudLightBake> baker(BakerTag<CloudLightBake>) {
-    return {.version = 13,
+    return {.version = 14,
             .bake = bake,
             .estimate = estimate,
             .needs = needs,
