@@ -182,7 +182,7 @@ std::vector<InputFile> inputs(const Parameters& parameters, const EnvironmentBak
 }  // namespace
 
 Baker<EnvironmentBake> baker(BakerTag<EnvironmentBake>) {
-    return {.version = 22,
+    return {.version = 23,
             .bake = bake,
             .estimate = estimate,
             .needs = needs,
