@@ -13,7 +13,7 @@ const patience = 1800000;  // ms; nothing here is a test of time, this ends what
 // The root mean square of differences that the page may have from the renderer's picture, in bytes of 255: 1 %.
 const bound = 2.55;
 // Small pictures have four samples for each pixel in the preview, and so here.
-const size = [96, 54];
+const size = [64, 36];
 const common = {heading: 63, fov: 70, sun_azimuth: 105, exposure: 3.5, disc: false, glare: false, shadow: true};
 
 function write(name, text) {
