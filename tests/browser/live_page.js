@@ -210,9 +210,10 @@ const tests = {
     },
 
     async 'fits a phone, in light and in dark'(browser) {
+        const page = await open(browser, path.join(work, 'of_bake', 'index.html'), {viewport: {width: 400, height: 740}});
         const shades = [];
         for (const colorScheme of ['light', 'dark']) {
-            const page = await open(browser, path.join(work, 'of_bake', 'index.html'), {viewport: {width: 400, height: 740}, colorScheme});
+            await page.emulateMedia({colorScheme});
             assert.ok(await page.evaluate(() => document.documentElement.scrollWidth) <= 400);
             const picture = await page.locator('#picture').boundingBox();
             assert.ok(picture.width === 400 && picture.y < 10 && picture.height > 300, JSON.stringify(picture));

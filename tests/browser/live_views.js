@@ -141,6 +141,11 @@ const spoil = (page, name, how) => page.evaluate(async ([name, how]) => {
 // bound; `wrong` collects those that are not as they should be.
 async function comparison(page, baked, picture, views) {
     await page.addScriptTag({path: path.join(__dirname, 'pictures_page.js')});
+    // Scenes with spoilt tables have the same programs, and compiling them takes most of the time without a GPU.
+    await page.evaluate(() => {
+        const {renderer} = window.skybakeLive, made = new Map(), compiled = renderer.program;
+        renderer.program = (text) => made.get(text) ?? made.set(text, compiled.call(renderer, text)).get(text);
+    });
     const pictures = {}, wrong = [];
     const measure = async (what, name, is_right) => {
         pictures[name] ??= await page.evaluate((url) => window.picture(url), rendered(baked, picture, name, views[name]));

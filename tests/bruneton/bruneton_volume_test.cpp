@@ -3,9 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <iterator>
-
 #include "bakers/assets/bruneton/scattering_table.h"
 #include "bakers/assets/bruneton/table_content.h"
 #include "bakers/io/formats/exr/exr_file.h"
@@ -153,8 +150,7 @@ TEST(BrunetonVolume, IrradianceFallsFromNoonToNight) {
 
 // The sky as a runtime makes it of two tables, against path tracing down to 96 degrees.
 TEST(BrunetonVolume, SkyIsTheTracedOne) {
-    std::ifstream file(std::string(SKYBAKE_TEST_DATA) + "/truth_sky_earth.csv");
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    const std::string text = testing::read_bytes(SKYBAKE_TEST_DATA "/truth_sky_earth.csv");
     const auto truth = parse_sky_truth_csv(text);
     ASSERT_TRUE(truth.has_value());
     const SkyMedium medium =

@@ -19,7 +19,7 @@ size = [32, 32]
 max_texel_error = "0.02 %"
 [sweep]
 "atmosphere.ground_albedo" = [0.1, 0.3, 0.5]
-"atmosphere.layers.mie.scale_height" = { from = "1.2 km", to = "4.8 km", count = 4, scale = "log" }
+"atmosphere.layers.mie.scale_height" = { from = "1.2 km", to = "4.8 km", count = 2, scale = "log" }
 RECIPE
 "$skybake" sweep sky.toml -o farm --emit commands >commands
 bash "$here/../../examples/farm/slurm.sh" commands >jobs
@@ -81,5 +81,5 @@ while read -r file; do
     compared=$((compared + 1))
 done < <(cd home && find . -type f | sort)
 diff <(cd home && find . -type f | sort) <(cd farm && find . -type f | sort)
-[[ $compared -eq $((12 * 3 + 4)) ]] || { echo "$compared files compared"; exit 1; }
-echo "$compared files of 12 variants are the same"
+[[ $compared -eq $((6 * 3 + 4)) ]] || { echo "$compared files compared"; exit 1; }
+echo "$compared files of 6 variants are the same"

@@ -15,6 +15,7 @@
 #include <iterator>
 #include <set>
 #include <span>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -57,7 +58,7 @@ inline std::uint32_t word(const std::string& bytes, std::size_t at) {
 
 inline std::string read_bytes(const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
+    return (std::ostringstream() << file.rdbuf()).str();  // at once, as tests are not optimised
 }
 
 inline void write_bytes(const std::filesystem::path& path, const std::string& bytes) {

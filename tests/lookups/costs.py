@@ -40,8 +40,10 @@ def optimised(text):
               f"void main() {{ shown = {name}({', '.join(given)}); }}\n")
     with tempfile.TemporaryDirectory() as folder:
         binary = folder + "/lookup.spv"
-        subprocess.run(["glslangValidator", "-V", "--stdin", "-S", "frag", "-o", binary], input=shader, text=True, check=True,
-                       stdout=subprocess.DEVNULL)
+        said = subprocess.run(["glslangValidator", "-V", "--stdin", "-S", "frag", "-o", binary], input=shader, text=True,
+                              capture_output=True)
+        if said.returncode or "WARNING" in said.stdout:
+            sys.exit(f"{shader}{said.stdout}")
         subprocess.run(["spirv-opt", "-O", binary, "-o", binary], check=True)
         return subprocess.run(["spirv-dis", "--no-color", binary], check=True, capture_output=True, text=True).stdout
 
@@ -83,8 +85,6 @@ def main():
     for file in sorted(folder.glob("glsl/*.glsl")):
         text = file.read_text()
         said = re.match(r"(?://.*\n)*?// Cost: at most " + SAID.pattern, text)
-        if not said:
-            continue                                                          # a library of a folder
         called = re.search(r"^\w+ baked_\w+\([^)]*\) \{(.*?)^\}", text, re.M | re.S).group(1)
         published = frozenset(re.sub("_of_4$", "", word) for word in re.findall(r"(\w+)\(", called))
         group = groups.setdefault(published - {"vec2", "vec3", "vec4", "float"}, [set(), set(), []])

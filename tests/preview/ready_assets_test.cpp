@@ -77,11 +77,14 @@ TEST_F(BakedBefore, WhatHasChangedIsBaked) {
 
 // An asset that was measured less than a preview measures does not serve it; one measured more does.
 TEST_F(BakedBefore, ABetterCertificateServes) {
+    std::erase_if(recipe_.parameters.bakes, [](const config::Bake& bake) {
+        return bake.name == "multiple_scattering";  // it takes seconds to measure in full
+    });
     bake(Certification::full);
-    EXPECT_EQ(shown(recipe_, {folder_ / "out"}).ready.size(), 3U);
+    EXPECT_EQ(shown(recipe_, {folder_ / "out"}).ready.size(), 2U);
     bake(Certification::off);
     EXPECT_TRUE(shown(recipe_, {folder_ / "out"}).ready.empty());
-    EXPECT_EQ(shown(recipe_, {folder_ / "out"}, Certification::off).ready.size(), 3U);
+    EXPECT_EQ(shown(recipe_, {folder_ / "out"}, Certification::off).ready.size(), 2U);
 }
 
 TEST_F(BakedBefore, ADamagedFileIsNotShown) {

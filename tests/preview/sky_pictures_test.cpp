@@ -1,14 +1,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "bakers/preview/pictures/sky_pictures.h"
 #include "bakers/preview/pictures/sky_reference.h"
+#include "tests/io/files.h"
 #include "tests/preview/skies.h"
 #include "tests/support/number_rows.h"
 
@@ -118,8 +117,7 @@ SkyLight solved(const config::Atmosphere& atmosphere) {
 
 // Tests a case in which the better sky looked worse, since the reference was the other one's closure.
 TEST(SkyReference, SolvedTablesAreNearerToItThanHillairesAtEverySun) {
-    std::ifstream file(SKYBAKE_EXAMPLES "/sky.toml");
-    const std::string text(std::istreambuf_iterator<char>(file), {});
+    const std::string text = testing::read_bytes(SKYBAKE_EXAMPLES "/sky.toml");
     test::Sky better;
     better.recipe = test::recipe_of(text, {"preset=\"earth_hillaire\""});
     test::bake_tables(better);

@@ -15,7 +15,6 @@
 #include <string_view>
 #include <system_error>
 
-#include "bakers/io/files/file_io.h"
 #include "bakers/io/formats/exr/exr_library.h"
 #include "config/text/key_path.h"
 

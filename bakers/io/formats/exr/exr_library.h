@@ -68,12 +68,18 @@ class ExrStream : public Imf::IStream {
         : Imf::IStream(name.c_str()), file_(std::move(file)) {}
     bool read(char out[], int count) override {
         const auto wanted = static_cast<std::size_t>(std::max(count, 0));
-        const auto done = file_.read(position_, out, wanted);
-        if (!done) {
-            failed_ = true;
-            throw std::runtime_error("it cannot be read");
+        const bool ends = wanted > file_.size() || position_ > file_.size() - wanted;
+        // The library reads texts of a header byte by byte: a system call for each cost most of the time.
+        if (!ends && (position_ < begin_ || position_ + wanted > begin_ + piece_.size())) {
+            begin_ = position_;
+            piece_.resize(std::max<std::size_t>(wanted, 1 << 14));
+            const auto done = file_.read(begin_, piece_.data(), piece_.size());
+            piece_.resize(done.value_or(0));
+            failed_ = !done;
         }
-        if (*done < wanted) throw std::runtime_error("it ends early");
+        if (failed_) throw std::runtime_error("it cannot be read");
+        if (ends || piece_.copy(out, wanted, position_ - begin_) < wanted)
+            throw std::runtime_error("it ends early");
         position_ += wanted;
         return position_ < file_.size();
     }
@@ -87,6 +93,8 @@ class ExrStream : public Imf::IStream {
 
   private:
     FileInput file_;
+    std::string piece_;
+    std::uint64_t begin_ = 0;  // of the piece in the file
     std::uint64_t position_ = 0;
     bool failed_ = false;
 };
