@@ -78,8 +78,9 @@ class ExrStream : public Imf::IStream {
             failed_ = !done;
         }
         if (failed_) throw std::runtime_error("it cannot be read");
-        if (ends || piece_.copy(out, wanted, position_ - begin_) < wanted)
+        if (ends || piece_.copy(out, wanted, position_ - begin_) < wanted) {
             throw std::runtime_error("it ends early");
+        }
         position_ += wanted;
         return position_ < file_.size();
     }
