@@ -1,7 +1,6 @@
 // skybake bake: bakes the assets of a recipe that are missing or out of date.
 #include <fmt/format.h>
 
-#include <chrono>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -9,6 +8,7 @@
 #include <vector>
 
 #include "bakers/io/files/file_io.h"
+#include "bakers/io/files/stopwatch.h"
 #include "bakers/preview/load_sweep.h"
 #include "bakers/workspace/asset_cache.h"
 #include "bakers/workspace/bake_folder.h"
@@ -100,7 +100,7 @@ std::vector<Diagnostic> check_two_folders(const fs::path& cache, const fs::path&
 }
 
 ExitCode run_bake(const Invocation& invocation, Console& console) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch stopwatch;
     auto selection = select_bakes(invocation);
     if (const ExitCode code = console.report(selection.diagnostics); !selection.value) return code;
     FolderBake bake = folder_bake(invocation, *selection.value);
@@ -137,11 +137,10 @@ ExitCode run_bake(const Invocation& invocation, Console& console) {
         const auto written = write_depfile(invocation[options::depfile], bake, *baked.value);
         if (!written.value) return console.report(written.diagnostics);
     }
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-    console.result(json ? finished_events(*baked.value, bake.folder, elapsed.count())
+    const double elapsed_s = stopwatch.seconds();
+    console.result(json ? finished_events(*baked.value, bake.folder, elapsed_s)
                         : paths_text(*baked.value, bake.folder));
-    console.note(
-        summary_text(*baked.value, {elapsed.count(), console.error_columns(), bake.prune}));
+    console.note(summary_text(*baked.value, {elapsed_s, console.error_columns(), bake.prune}));
     return code;
 }
 

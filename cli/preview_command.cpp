@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -15,6 +14,7 @@
 
 #include "bakers/io/files/atomic_file.h"
 #include "bakers/io/files/output_folder.h"
+#include "bakers/io/files/stopwatch.h"
 #include "bakers/io/files/temporary_file.h"
 #include "bakers/math/intermediates.h"
 #include "bakers/plot/drawing.h"
@@ -152,7 +152,7 @@ bool show_early(const PreviewPage& page, const PreviewRequest& request, Console&
 }
 
 ExitCode show(const Invocation& invocation, const PreviewRequest& request, Console& console) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch stopwatch;
     SharedLight shared(request);
     bool is_live = false;  // the live page is there
     auto page = [&] {
@@ -180,13 +180,13 @@ ExitCode show(const Invocation& invocation, const PreviewRequest& request, Conso
         code != ExitCode::done) {
         return code;
     }
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-    console.result(console.display().json ? previewed_event(paths, elapsed.count())
+    const double elapsed_s = stopwatch.seconds();
+    console.result(console.display().json ? previewed_event(paths, elapsed_s)
                                           : fmt::format("{}\n", fmt::join(paths, "\n")));
     const std::string made = paths.size() > 1 ? fmt::format("{} picture{}", paths.size() - 1,
                                                             paths.size() == 2 ? "" : "s")
                                               : "a page";
-    console.note(fmt::format("{} in {:.1f} s: open {}\n", made, elapsed.count(), paths.back()));
+    console.note(fmt::format("{} in {:.1f} s: open {}\n", made, elapsed_s, paths.back()));
     return ExitCode::done;
 }
 

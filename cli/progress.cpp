@@ -140,20 +140,15 @@ std::string ProgressTeller::text(double seconds, int columns) const {
 
 // A terminal's last column stays free, and two blanks stand before the line.
 BakeProgress::BakeProgress(std::string what, Console& console, int index, int count)
-    : start_(std::chrono::steady_clock::now()),
-      teller_(std::move(what), index, count),
+    : teller_(std::move(what), index, count),
       line_(console, [this, columns = std::max(console.error_columns() - 3, 0)] {
           const std::lock_guard lock(mutex_);
-          return teller_.text(elapsed_s(), columns);
+          return teller_.text(stopwatch_.seconds(), columns);
       }) {}
-
-double BakeProgress::elapsed_s() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-}
 
 void BakeProgress::advance(std::string_view step, double fraction) {
     const std::lock_guard lock(mutex_);
-    teller_.advance(step, fraction, elapsed_s());
+    teller_.advance(step, fraction, stopwatch_.seconds());
 }
 
 void BakeProgress::begin_stage(int index, int count, std::string_view what) {

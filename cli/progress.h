@@ -10,6 +10,7 @@
 #include <thread>
 #include <utility>
 
+#include "bakers/io/files/stopwatch.h"
 #include "bakers/render/stage_progress.h"
 
 namespace skybake::cli {
@@ -113,10 +114,8 @@ class BakeProgress : public StageProgress {
     bool cancelled() const override;
 
   private:
-    double elapsed_s() const;
-
     mutable std::mutex mutex_;
-    std::chrono::steady_clock::time_point start_;
+    const Stopwatch stopwatch_;
     ProgressTeller teller_;
     ProgressLine line_;  // the last member: it ends before the members that it reads
 };

@@ -2,7 +2,6 @@
 // divide it.
 #pragma once
 
-#include <chrono>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -10,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "bakers/io/files/stopwatch.h"
 #include "bakers/workspace/sweep/run_sweep.h"
 #include "cli/options.h"
 #include "cli/progress.h"
@@ -56,7 +56,7 @@ class SweepReporter : public SweepObserver {
     std::size_t variants_;
     Console& console_;
     bool json_;
-    std::chrono::steady_clock::time_point start_;
+    const Stopwatch stopwatch_;
     mutable std::mutex mutex_;  // protects the members below
     std::size_t finished_ = 0;
     int made_ = 0;

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -13,6 +12,7 @@
 #include <vector>
 
 #include "bakers/io/files/file_io.h"
+#include "bakers/io/files/stopwatch.h"
 #include "bakers/io/manifest/manifest.h"
 #include "bakers/workspace/http_cache.h"
 #include "bakers/workspace/sweep/index_files.h"
@@ -206,7 +206,7 @@ std::string interrupted_text(int made) {
 }
 
 ExitCode sweep(const Invocation& invocation, const SweepJob& job, Console& console) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch stopwatch;
     const bool json = console.display().json;
     const bool merge = invocation[options::merge];
     const bool writes_index = job.shards == 1;
@@ -232,15 +232,14 @@ ExitCode sweep(const Invocation& invocation, const SweepJob& job, Console& conso
         const auto failures = write_index(job.folder, job.sweep, results);
         if (!failures.empty()) return console.report(failures);
     }
-    const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     if (json) {
-        console.result(swept_event(results, reporter.made(), elapsed.count()));
+        console.result(swept_event(results, reporter.made(), stopwatch.seconds()));
     } else {
         console.result(paths_text(job, results) + (writes_index ? index_paths_text(job) : ""));
     }
     report_warnings(results, console);
-    console.note(
-        fmt::format("{} baked, {}\n", variants_text(reporter.made()), time_text(elapsed.count())));
+    console.note(fmt::format("{} baked, {}\n", variants_text(reporter.made()),
+                             time_text(stopwatch.seconds())));
     if (writes_index) console.note(earlier_note(folders_of_earlier_sweeps(job)));
     return report_unfinished(results, console);
 }

@@ -15,8 +15,6 @@ namespace skybake::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using std::chrono::duration;
-using std::chrono::steady_clock;
 
 std::string plural(std::size_t count, std::string_view what) {
     return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
@@ -55,21 +53,21 @@ std::string_view planned_to_string(VariantStatus status) {
 }  // namespace
 
 SweepReporter::SweepReporter(const SweepJob& job, std::size_t variants, Console& console, bool json)
-    : job_(job), variants_(variants), console_(console), json_(json), start_(steady_clock::now()) {
+    : job_(job), variants_(variants), console_(console), json_(json) {
     line_.emplace(console_, [this] { return text(); });
 }
 
 bool SweepReporter::cancelled() const { return interrupted(); }
 
 std::string SweepReporter::count_text() const {
-    const double elapsed = duration<double>(steady_clock::now() - start_).count();
+    const double elapsed_s = stopwatch_.seconds();
     std::string text = fmt::format("[{}/{}] variants", finished_, variants_);
     if (failed_ > 0) text += fmt::format(", {} failed", failed_);
-    text += fmt::format(", {:.0f} s", elapsed);
+    text += fmt::format(", {:.0f} s", elapsed_s);
     if (worked_on_ > 0) {
         const auto left = static_cast<double>(variants_ - finished_);
         // Variants that were up to date took no time.
-        text += fmt::format(", about {:.0f} s left", elapsed * left / worked_on_);
+        text += fmt::format(", about {:.0f} s left", elapsed_s * left / worked_on_);
     }
     return text;
 }

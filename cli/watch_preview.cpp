@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "bakers/io/files/atomic_file.h"
+#include "bakers/io/files/stopwatch.h"
 #include "bakers/math/intermediates.h"
 #include "bakers/preview/bake_assets.h"
 #include "bakers/preview/check_options.h"
@@ -83,14 +84,9 @@ class Watch {
     }
 
   private:
-    using Clock = std::chrono::steady_clock;
-    static double seconds_since(Clock::time_point start) {
-        return std::chrono::duration<double>(Clock::now() - start).count();
-    }
-
     // Runs one round, from the recipe to the page or to the diagnostics on the page.
     ExitCode look_again() {
-        const Clock::time_point start = Clock::now();
+        const Stopwatch stopwatch;
         Outcome<PreviewPage> page = draft_page();
         if (interrupted()) return ExitCode::interrupted;
         const ExitCode code = console_.report(page.diagnostics);
@@ -98,7 +94,7 @@ class Watch {
         // A recipe that has been wrong since the start gets a page without pictures.
         if (!page.value && state_.revision == 0) page.value.emplace().title = title();
         if (page.value && !write(*page.value)) return exit_code_;
-        const double seconds = seconds_since(start);
+        const double seconds = stopwatch.seconds();
         if (page.value) {
             state_.seconds = seconds;
             state_.full = false;
@@ -111,12 +107,12 @@ class Watch {
     // Makes the same page at full quality. It gives up if a file is saved before it is done.
     void refine() {
         if (!selection_ || exit_code_ != ExitCode::done) return;
-        const Clock::time_point start = Clock::now();
+        const Stopwatch stopwatch;
         bool given_up = false;
         Outcome<PreviewPage> page = [&] {
             UntilSaved progress(console_, files_);
             request_.options.early_page = [&](const PreviewPage& clouds) {
-                if (!progress.cancelled()) show_clouds(clouds, start);
+                if (!progress.cancelled()) show_clouds(clouds, stopwatch);
             };
             auto made = page_of(*selection_, selection_->recipe, false, full_, progress);
             request_.options.early_page = nullptr;
@@ -130,14 +126,14 @@ class Watch {
             return tell();
         }
         state_.full = true;
-        state_.seconds = seconds_since(start);
+        state_.seconds = stopwatch.seconds();
         if (!write(*page.value)) return;
         tell();
         note_made("full quality", state_.seconds);
     }
 
     // Puts pictures of clouds, or a live page, at full quality into the page of the draft.
-    void show_clouds(const PreviewPage& clouds, Clock::time_point start) {
+    void show_clouds(const PreviewPage& clouds, const Stopwatch& stopwatch) {
         PreviewPage page = shown_;
         if (!clouds.live_scene.empty()) page.live_scene = clouds.live_scene;
         for (PageScene& scene : page.scenes) {
@@ -153,7 +149,7 @@ class Watch {
         }
         if (!write(page)) return;
         tell();
-        note_made("clouds at full quality", seconds_since(start));
+        note_made("clouds at full quality", stopwatch.seconds());
     }
 
     void note_made(const char* what, double seconds) {

@@ -188,7 +188,7 @@ class Lighting {
         // Near the sun, behind thick cloud, parts below 0 cancel brighter ones before them; steps that miss some of
         // a cloud's edge can leave less than nothing.
         for (std::size_t ray = 0; ray < RayBlock::kCount; ++ray) {
-            if (results.sun_at_base[ray] + results.sun_at_top[ray] >= 0) continue;
+            if (!(results.sun_at_base[ray] + results.sun_at_top[ray] < 0)) continue;
             results.sun_at_base[ray] = 0;
             results.sun_at_top[ray] = 0;
         }

@@ -13,7 +13,6 @@
 // Hashes protect from accidents. Whoever may write to the server is trusted, as with a folder.
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -26,6 +25,7 @@
 #include <vector>
 
 #include "bakers/io/files/http.h"
+#include "bakers/io/files/stopwatch.h"
 #include "bakers/workspace/copy_asset.h"
 #include "config/diagnostics/diagnostic.h"
 
@@ -36,16 +36,6 @@ std::string cache_url_problem(std::string_view url);
 
 // Returns a URL without the user's name and password, for messages.
 std::string without_credentials(std::string_view url);
-
-// Measures the seconds since it was made.
-class Stopwatch {
-  public:
-    double seconds() const { return std::chrono::duration<double>(Time::now() - start_).count(); }
-
-  private:
-    using Time = std::chrono::steady_clock;
-    const Time::time_point start_ = Time::now();
-};
 
 // Any number of threads may use a cache at once.
 class HttpCache : public AssetSource {

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # GCC's build against Clang's, of which the bakers alone are built. Skipped where there is no Clang.
-# Clang optimises what computes, and compiles kernels for the one instruction set that they run on here
-# and for none (what Highway must have); targets.sh compares instruction sets.
+# Clang optimises what computes, and compiles kernels for the instruction set that they run on here and
+# for the scalar one, which Highway needs; targets.sh compares instruction sets.
 source "$(dirname "$0")/common.sh"
 if [[ -z "${CLANG_COMPILER:-}" || "$CLANG_COMPILER" == *NOTFOUND ]]; then
     echo "skipped: no clang++ here"

@@ -189,9 +189,8 @@ MarchLight::MarchLight(const CloudMedium& medium, double most_cells, const BakeO
     ground.ground = 1;
     std::size_t first = LightInCloud::kSun;
     for (const LayerSources& source : {sky, ground}) {
-        const SolvedRadiance solved = solver_->solve(source, options, kSeenChange);
-        is_solved_ = is_solved_ && std::isfinite(solved.change);
-        write(solved, margin_, first, LightInCloud::kHemisphere, 1, false, without_sun_);
+        write(solver_->solve(source, options, kSeenChange), margin_, first,
+              LightInCloud::kHemisphere, 1, false, without_sun_);
         first += LightInCloud::kHemisphere;
     }
 }
@@ -202,7 +201,7 @@ std::optional<LightInCloud> MarchLight::under(const SunDirection& sun,
     const bool is_below = sun.elevation_degrees < 0;
     const double height = std::fabs(sun.elevation_degrees);
     const double solved_height = repeats ? std::max(height, kLowestSolvedSun_deg) : height;
-    if (solved_height == 0 || !is_solved_) return std::nullopt;
+    if (solved_height == 0) return std::nullopt;
     LayerSources source;
     source.sun = 1;
     source.sun_direction = direction_of(solved_height, sun.azimuth_degrees);
@@ -213,7 +212,7 @@ std::optional<LightInCloud> MarchLight::under(const SunDirection& sun,
                                 kDegree, options)
                      .solve(source, options, kSeenChange)
                : solver_->solve(source, options, kSeenChange);
-    if (options.cancelled() || !std::isfinite(solved.change)) return std::nullopt;
+    if (options.cancelled()) return std::nullopt;
     LightInCloud light = without_sun_;
     const double strength = sine_of_degrees(height) / sine_of_degrees(solved_height);
     write(solved, margin_, 0, LightInCloud::kSun, strength, is_below, light);

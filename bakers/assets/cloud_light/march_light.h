@@ -35,7 +35,7 @@ class MarchLight {
     MarchLight(const CloudMedium& medium, double most_cells, const BakeOptions& options);
 
     // Sunlight comes from below where the sun is below the horizon of a layer that is above it. Returns nothing for a
-    // sun at the horizon of a tile that stands alone, where the light has no solution, and after an interruption.
+    // sun at the horizon of a tile that stands alone, and after an interruption.
     std::optional<LightInCloud> under(const SunDirection& sun, const BakeOptions& options) const;
 
   private:
@@ -44,7 +44,6 @@ class MarchLight {
     std::array<int, 3> margin_{};  // in places; 0 where the tile repeats
     PlaceGrid places_;
     LightInCloud without_sun_;
-    bool is_solved_ = true;
 };
 
 }  // namespace skybake::cloud_light

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 #include <functional>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "bakers/math/harmonics.h"
@@ -24,6 +24,7 @@ constexpr int kSweepsOfFewCells = 24;
 // presets leave at most 0.6 and 0.12.
 constexpr double kSlow = 0.75;
 constexpr double kSlowSecond = 0.25;
+constexpr std::size_t kPastSteps = 8;
 // Planes of fewer cells are done before threads have begun.
 constexpr std::size_t kCellsOfThreads = 1 << 15;
 // A rest is known to 1e-7 of the light. Where less than this leaves a cell, the sum of its orders would be rounding.
@@ -109,26 +110,22 @@ class PastCorrections {
   public:
     // Improves `light` and the correction that is about to be added to it.
     void improve(CellFields& light, CellFields& correction, const BakeOptions& options) {
-        CellFields light_now = light;
-        CellFields correction_now = correction;
-        if (!light_.empty()) {
-            Step step{light, correction};
-            add(light_, -1, step.light, options);
-            add(correction_, -1, step.correction, options);
+        Step now{light, correction};
+        if (last_) {
+            Step step = now;
+            add(last_->light, -1, step.light, options);
+            add(last_->correction, -1, step.correction, options);
             for (const Step& one : steps_) take(one, step.correction, step.light, options);
             step.size = product(step.correction, step.correction, options);
             if (step.size > 0) steps_.push_back(std::move(step));
-            if (steps_.size() > kSteps) steps_.pop_front();
+            if (steps_.size() > kPastSteps) steps_.erase(steps_.begin());
             for (const Step& one : steps_) take(one, correction, light, options);
         }
-        light_ = std::move(light_now);
-        correction_ = std::move(correction_now);
+        last_ = std::move(now);
     }
 
   private:
-    static constexpr std::size_t kSteps = 8;
-
-    // A change of light, and of the correction that followed.
+    // Light and the correction of it, or how both changed.
     struct Step {
         CellFields light;
         CellFields correction;
@@ -142,8 +139,8 @@ class PastCorrections {
         add(step.light, -share, light, options);
     }
 
-    std::deque<Step> steps_;
-    CellFields light_, correction_;
+    std::vector<Step> steps_;
+    std::optional<Step> last_;
 };
 
 // Sweeps divide the change by about the same factor each.

@@ -9,9 +9,8 @@
 //
 // and J lacks r + e, where e = K (e + r). Coarser cells know that but for what is finer in r, which the cell that
 // sends it out takes back in part: within each cell r + K r + ... is r / (1 - k) for the share k that K takes back
-// (multigrid methods: Brandt 1977; of the second kind: Hackbusch 1981). Where that converges slowly or not at all,
-// corrections are combined with past ones. Rough clouds whose cells have depths above some hundreds can still have no
-// solution; its values are not finite then.
+// (multigrid methods: Brandt 1977; of the second kind: Hackbusch 1981). Where that is slow, corrections are combined
+// with past ones. Rough clouds of some hundred depths a cell can still fail, with values that are not finite.
 #pragma once
 
 #include <memory>

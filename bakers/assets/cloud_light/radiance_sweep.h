@@ -32,7 +32,6 @@ class CellFields {
     CellFields() = default;
     CellFields(const std::array<int, 3>& size, std::size_t count);
 
-    bool empty() const { return values_.empty(); }
     std::size_t count() const { return count_; }
     const std::array<int, 3>& size() const { return size_; }
     void clear() { std::ranges::fill(values_, 0.0F); }

@@ -38,45 +38,45 @@ std::string content_of_environment(const EnvironmentBake& bake) {
 
 std::array<AxisMapping, 2> axes_of_environment(const EnvironmentBake& bake) {
     std::array<AxisMapping, 2> axes;
+    const char* const edges = "end points on texture edges";
     switch (bake.mapping) {
         case EnvironmentMapping::cube:
             axes[0] = {"face_x", "u = coordinate of the face, from its left edge to its right one",
-                       "end points on texture edges", 0, 1};
+                       edges, 0, 1};
             axes[1] = {"face_y",
                        "v = (face + coordinate downwards) / 6; faces right, left, up, down, ahead, "
                        "behind, as +x, -x, +y, -y, +z, -z of GPUs",
-                       "end points on texture edges", 0, 6};
+                       edges, 0, 6};
             break;
         case EnvironmentMapping::octahedral:
             axes[0] = {
                 "right",
                 "u = 1/2 + right / 2 s, s = |right| + |up| + |ahead|; below the horizontal u "
                 "= 1/2 + sign(right) (1 - |ahead| / s) / 2",
-                "end points on texture edges", -1, 1};
+                edges, -1, 1};
             axes[1] = {"ahead",
                        "v = 1/2 - ahead / 2 s; below the horizontal v = 1/2 - sign(ahead) (1 - "
                        "|right| / s) / 2",
-                       "end points on texture edges", 1, -1};
+                       edges, 1, -1};
             break;
         case EnvironmentMapping::equal_area:
             axes[0] = {
                 "ahead",
                 "u = 1/2 + sign(ahead) a / 2, r = sqrt(1 - |up|), b = r (2 / pi) atan(|right| / "
                 "|ahead|), a = r - b; below the horizontal u = 1/2 + sign(ahead) (1 - b) / 2",
-                "end points on texture edges", -1, 1};
+                edges, -1, 1};
             axes[1] = {"right",
                        "v = 1/2 - sign(right) b / 2; below the horizontal v = 1/2 - sign(right) "
                        "(1 - a) / 2",
-                       "end points on texture edges", 1, -1};
+                       edges, 1, -1};
             break;
         default:
             axes[0] = {"azimuth_deg",
                        looks_to_the_sun(bake)
                            ? "u = azimuth from the sun / 360 degrees + 1/2"
                            : "u = azimuth to the right of ahead / 360 degrees + 1/2",
-                       "end points on texture edges", -180, 180};
-            axes[1] = {"elevation_deg", "v = 1/2 - elevation / 180 degrees",
-                       "end points on texture edges", 90, -90};
+                       edges, -180, 180};
+            axes[1] = {"elevation_deg", "v = 1/2 - elevation / 180 degrees", edges, 90, -90};
             axes[0].wrap = AxisWrap::repeat;
             axes[0].constants = {{"range_deg", 360.0}};
     }

@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <utility>
 
 #include "bakers/field/baked.h"
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/files/output_folder.h"
+#include "bakers/io/files/stopwatch.h"
 #include "bakers/io/formats/format.h"
 #include "bakers/io/formats/texture.h"
 #include "bakers/io/manifest/metadata.h"
@@ -106,7 +106,7 @@ ManifestAsset describe_with_files(const Baked& baked) {
 Outcome<StagedFiles> stage_files(const Baked& baked, ManifestAsset& asset,
                                  const std::filesystem::path& folder, AtomicFiles& files,
                                  int threads, Progress* progress) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch stopwatch;
     Outcome<StagedFiles> outcome;
     StagedFiles staged;
     for (const Level& level : baked.levels) {
@@ -124,8 +124,7 @@ Outcome<StagedFiles> stage_files(const Baked& baked, ManifestAsset& asset,
         staged.push_back(*result.value);
         if (*result.value == WriteResult::interrupted) break;
     }
-    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-    asset.timing.write_s += took.count();
+    asset.timing.write_s += stopwatch.seconds();
     outcome.value = std::move(staged);
     return outcome;
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <utility>
@@ -84,7 +85,9 @@ std::optional<LightInCloud> light_under(const std::optional<cloud_light::MarchLi
     const double top_km = (medium.base_m + medium.extent_m[2]) / 1000;
     const double dip = horizon_distance_km(shell, top_km) / (shell.ground_radius_km + top_km);
     const bool sees_sun = sine_of_degrees(sun.elevation_degrees) > -dip;
-    return within && sees_sun ? within->under(sun, options) : std::nullopt;
+    auto light = within && sees_sun ? within->under(sun, options) : std::nullopt;
+    const auto is_finite = [](float value) { return std::isfinite(value); };
+    return light && std::ranges::all_of(light->values, is_finite) ? std::move(light) : std::nullopt;
 }
 
 std::string light_text(const std::optional<LightInCloud>& light) {

@@ -36,7 +36,7 @@ std::optional<cloud_light::MarchLight> light_within(const CloudPreviewInput& inp
                                                     const CloudMedium& medium,
                                                     const BakeOptions& options);
 
-// Returns that light under a sun; nothing if there is none, or if the layer does not see the sun.
+// Returns that light under a sun; nothing if there is none, if none was found, or if the layer does not see the sun.
 std::optional<LightInCloud> light_under(const std::optional<cloud_light::MarchLight>& within,
                                         const Lighting& lighting, const CloudMedium& medium,
                                         const SunDirection& sun, const BakeOptions& options);

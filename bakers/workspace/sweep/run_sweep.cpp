@@ -1,7 +1,6 @@
 #include "bakers/workspace/sweep/run_sweep.h"
 
 #include <algorithm>
-#include <chrono>
 #include <condition_variable>
 #include <exception>
 #include <map>
@@ -12,6 +11,7 @@
 #include <utility>
 
 #include "bakers/io/files/output_folder.h"
+#include "bakers/io/files/stopwatch.h"
 #include "bakers/io/files/temporary_file.h"
 #include "bakers/math/intermediates.h"
 #include "bakers/math/parallel.h"
@@ -229,14 +229,14 @@ class SweepRunner {
     }
 
     void make(PlannedVariant& variant, const Task& task, int threads) {
-        const auto start = std::chrono::steady_clock::now();
+        const Stopwatch stopwatch;
         const auto folder = job_.folder / variant.result.name;
         guard(variant.result, [&] { bake(variant, task, threads); });
         if (variant.result.status == VariantStatus::missing) return;  // interrupted
         guard(variant.result, [&] { keep_failure(folder, variant.result); });
-        const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+        const double elapsed_s = stopwatch.seconds();
         const std::lock_guard lock(observer_mutex_);
-        observer_.finished(variant.result, true, elapsed.count());
+        observer_.finished(variant.result, true, elapsed_s);
     }
 
     // Turns an exception, such as lack of memory, into a failure of the variant, because no

@@ -68,19 +68,9 @@ class ExrStream : public Imf::IStream {
         : Imf::IStream(name.c_str()), file_(std::move(file)) {}
     bool read(char out[], int count) override {
         const auto wanted = static_cast<std::size_t>(std::max(count, 0));
-        const bool ends = wanted > file_.size() || position_ > file_.size() - wanted;
-        // The library reads texts of a header byte by byte: a system call for each cost most of the time.
-        if (!ends && (position_ < begin_ || position_ + wanted > begin_ + piece_.size())) {
-            begin_ = position_;
-            piece_.resize(std::max<std::size_t>(wanted, 1 << 14));
-            const auto done = file_.read(begin_, piece_.data(), piece_.size());
-            piece_.resize(done.value_or(0));
-            failed_ = !done;
-        }
-        if (failed_) throw std::runtime_error("it cannot be read");
-        if (ends || piece_.copy(out, wanted, position_ - begin_) < wanted) {
-            throw std::runtime_error("it ends early");
-        }
+        const std::size_t done =
+            wanted < kPiece ? read_of_piece(out, wanted) : read_of_file(out, wanted);
+        if (done < wanted) throw std::runtime_error("it ends early");
         position_ += wanted;
         return position_ < file_.size();
     }
@@ -93,6 +83,27 @@ class ExrStream : public Imf::IStream {
     }
 
   private:
+    // The library reads texts of a header byte by byte: a system call for each cost most of the time.
+    static constexpr std::size_t kPiece = 1 << 14;
+
+    std::size_t read_of_file(char* bytes, std::size_t count) {
+        const auto done = file_.read(position_, bytes, count);
+        failed_ = failed_ || !done;
+        if (!done) throw std::runtime_error("it cannot be read");
+        return *done;
+    }
+    std::size_t read_of_piece(char* bytes, std::size_t count) {
+        const std::uint64_t skipped =
+            position_ - begin_;  // great where the position is before the piece
+        if (skipped > piece_.size() || count > piece_.size() - skipped) {
+            std::string piece(kPiece, '\0');
+            piece.resize(read_of_file(piece.data(), kPiece));
+            piece_ = std::move(piece);
+            begin_ = position_;
+        }
+        return piece_.copy(bytes, count, position_ - begin_);
+    }
+
     FileInput file_;
     std::string piece_;
     std::uint64_t begin_ = 0;  // of the piece in the file

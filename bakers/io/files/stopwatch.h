@@ -1,0 +1,18 @@
+// A stopwatch: measures wall time in seconds since its construction.
+#pragma once
+
+#include <chrono>
+
+namespace skybake {
+
+class Stopwatch {
+  public:
+    double seconds() const {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    }
+
+  private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace skybake
