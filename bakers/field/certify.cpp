@@ -64,33 +64,67 @@ MeasuredErrors measure(const TableModel& model, const ReferencePoints& points,
 
 using Coordinates = std::array<double, 3>;
 
-std::vector<double> look_up(const StoredVoxels& voxels, const Level& level,
-                            const Coordinates& uvw) {
+struct Lookup {
+    std::vector<double> values;
+    double filled = 0;  // the share of the taps whose first channel is not 0
+};
+
+Lookup look_up(const StoredVoxels& voxels, const Level& level, const Coordinates& uvw) {
     const std::array<VoxelTap, 8> taps = trilinear_taps(level.size, uvw, level.repeats);
     const std::vector<float> values = voxels.at(taps);
-    std::vector<double> result(voxels.channels(), 0.0);
+    Lookup result{std::vector<double>(voxels.channels(), 0.0)};
     for (std::size_t i = 0; i < 8; ++i) {
-        for (std::size_t c = 0; c < result.size(); ++c) {
-            result[c] += taps[i].weight * double{values[i * result.size() + c]};
+        const float* tap = &values[i * voxels.channels()];
+        result.filled += *tap != 0 ? 1.0 / 8 : 0;
+        for (std::size_t c = 0; c < voxels.channels(); ++c) {
+            result.values[c] += taps[i].weight * double{tap[c]};
         }
     }
     return result;
 }
 
+// Where lookups are compared with the reference.
+struct Places {
+    std::vector<Coordinates> uvw;
+    double beside_filled = 0;  // the share of them that are chosen so (place_beside)
+
+    // The weight of a place in the mean of squares, one over how densely places lie about it.
+    double weight(const Level& level, const Lookup& lookup) const {
+        if (beside_filled == 0) return 1;
+        return 1 / (1 - beside_filled + beside_filled * lookup.filled / level.filled.share);
+    }
+};
+
+// A place whose lookup has the voxel among its taps. `within` goes evenly over all of them.
+Coordinates place_beside(const std::array<int, 3>& voxel, const Coordinates& within,
+                         const Level& level) {
+    Coordinates uvw;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double at = (voxel[axis] - 0.5 + 2 * within[axis]) / level.size[axis];
+        // Beyond an end that is clamped lies what is before it.
+        uvw[axis] = level.repeats[axis] ? at - std::floor(at) : 1 - std::fabs(1 - std::fabs(at));
+    }
+    return uvw;
+}
+
 // Compares lookups with the reference at places, in tiles.
 VolumeErrors measure(const Level& level, PixelType type, const VolumeReference& reference,
-                     const std::vector<Coordinates>& places, const VolumeComparison& comparison,
+                     const Places& at_places, const VolumeComparison& comparison,
                      const BakeOptions& options) {
+    const std::vector<Coordinates>& places = at_places.uvw;
     const StoredVoxels voxels(level, type);
     std::vector<std::vector<double>> errors(places.size());
     std::vector<std::vector<double>> noise(places.size());
+    std::vector<double> weights(places.size());
     constexpr int kTile = 32;
     const auto count = static_cast<int>(places.size());
     for_each_tile((count + kTile - 1) / kTile, options, "certify", [&](int tile) {
         for (int i = tile * kTile; i < std::min(count, (tile + 1) * kTile); ++i) {
             if (options.cancelled()) return;
             const auto at = static_cast<std::size_t>(i);
-            const std::vector<double> found = look_up(voxels, level, places[at]);
+            const Lookup lookup = look_up(voxels, level, places[at]);
+            weights[at] = at_places.weight(level, lookup);
+            const std::vector<double>& found = lookup.values;
             const std::vector<double> wanted = reference(places[at]);
             errors[at] = comparison.errors ? comparison.errors(places[at], found, wanted)
                                            : shares_of_range(level, found, wanted);
@@ -104,7 +138,7 @@ VolumeErrors measure(const Level& level, PixelType type, const VolumeReference& 
     for (std::size_t i = 0; i < errors.size(); ++i) {
         for (std::size_t c = 0; c < errors[i].size(); ++c) {
             const double before = statistics.max();
-            statistics.add(errors[i][c], noise[i][c]);
+            statistics.add(errors[i][c], noise[i][c], weights[i]);
             if (statistics.max() > before) result.worst = places[i];
         }
     }
@@ -186,20 +220,27 @@ std::vector<double> shares_of_range(const Level& level, const std::vector<double
 }
 
 std::vector<double> look_up(const Level& level, PixelType type, const std::array<double, 3>& uvw) {
-    return look_up(StoredVoxels(level, type), level, uvw);
+    return look_up(StoredVoxels(level, type), level, uvw).values;
 }
 
 VolumeErrors measure_lookups(const Level& level, PixelType type, const VolumeReference& reference,
                              int count, const BakeOptions& options,
                              const VolumeComparison& comparison) {
-    std::vector<Coordinates> places;
+    const std::vector<std::array<int, 3>>& filled = level.filled.some;
+    const bool is_sparse = level.filled.share < 0.5 && !filled.empty() && !comparison.lookup_place;
+    const int beside = is_sparse ? count / 2 : 0;
+    Places places{{}, static_cast<double>(beside) / count};
     for (int i = 0; i < count; ++i) {
         Coordinates place = low_discrepancy_point(i);
+        if (i < beside) {
+            const auto chosen = static_cast<std::size_t>(i) * filled.size();
+            place = place_beside(filled[chosen / static_cast<std::size_t>(beside)], place, level);
+        }
         for (std::size_t axis = 0; axis < 3; ++axis) {
             // An axis of one voxel is looked up at the voxel's centre.
             if (level.size[axis] == 1) place[axis] = 0.5;
         }
-        places.push_back(comparison.lookup_place ? comparison.lookup_place(place) : place);
+        places.uvw.push_back(comparison.lookup_place ? comparison.lookup_place(place) : place);
     }
     return measure(level, type, reference, places, comparison, options);
 }
@@ -207,14 +248,14 @@ VolumeErrors measure_lookups(const Level& level, PixelType type, const VolumeRef
 VolumeErrors measure_voxels(const Level& level, PixelType type, const VolumeReference& reference,
                             int count, const BakeOptions& options,
                             const VolumeComparison& comparison) {
-    std::vector<Coordinates> places;
+    Places places;
     for (int i = 0; i < count; ++i) {
         Coordinates place = low_discrepancy_point(i);
         if (comparison.lookup_place) place = comparison.lookup_place(place);
         for (std::size_t axis = 0; axis < 3; ++axis) {
             place[axis] = (std::floor(place[axis] * level.size[axis]) + 0.5) / level.size[axis];
         }
-        places.push_back(place);
+        places.uvw.push_back(place);
     }
     return measure(level, type, reference, places, comparison, options);
 }

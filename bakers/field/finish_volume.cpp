@@ -47,7 +47,7 @@ void certify(const VolumeFinish& finish, const BakeOptions& options, Baked& volu
     const VolumeErrors texel =
         measure_voxels(sampled, finish.sampled ? PixelType::float32 : volume.pixel_type,
                        finish.reference, voxels, options, of_voxels);
-    // Volumes that repeat look alike everywhere, so that points spread evenly see what there is.
+    // Volumes that repeat look alike wherever they are not empty.
     const VolumeErrors lookup =
         level.repeats[0]
             ? measure_lookups(level, volume.pixel_type, finish.reference, points, options,

@@ -95,6 +95,12 @@ struct VoxelPeak {
     float value = 0;
 };
 
+// Voxels whose first channel is not 0.
+struct FilledVoxels {
+    std::vector<std::array<int, 3>> some;  // every n-th, in the order of a BoxSequence
+    double share = 1;                      // of all voxels
+};
+
 // One level of detail. Level 0 is the asset itself.
 struct Level {
     std::array<int, 3> size{};                      // voxels along u, v, w; a table has one along w
@@ -107,6 +113,7 @@ struct Level {
     std::vector<std::string> catches;  // wrong lookups that the probes detect (wrong_lookups.h)
     bool nearest = false;              // lookups take the nearest voxel
     std::vector<VoxelPeak> peaks;      // large voxels; for the choice of probes
+    FilledVoxels filled = {};          // where certificates look at sparse volumes
 };
 
 // The boxes that a volume is cut into, in the order in which a file needs its rows; they are made,

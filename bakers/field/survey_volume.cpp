@@ -41,6 +41,7 @@ struct Slot {
     std::string bytes;
     std::vector<Summary> channels;
     std::vector<VoxelPeak> peaks;
+    FilledVoxels filled;        // of the box
     std::vector<char> covered;  // columns of the box with a value above that of ColumnCount
     std::optional<BadValue> bad;
 };
@@ -212,6 +213,30 @@ void add_box_peaks(const float* values, const VoxelBox& box, int channel,
     }
 }
 
+// Every `step`-th of a box's voxels that are not 0, and their share of the box.
+FilledVoxels filled_voxels(const float* values, const VoxelBox& box, std::int64_t step) {
+    constexpr std::int64_t kPiece = 256;
+    FilledVoxels filled;
+    std::int64_t count = step / 2;
+    for (std::int64_t first = 0; first < box.count(); first += kPiece) {
+        const std::int64_t last = std::min(first + kPiece, box.count());
+        const std::int64_t more =
+            count_below(values + first, static_cast<std::size_t>(last - first),
+                        std::numeric_limits<float>::infinity());
+        const bool has_chosen = (count + more) / step != count / step;
+        for (std::int64_t i = first; has_chosen && i < last; ++i) {
+            if (values[i] == 0 || ++count % step != 0) continue;
+            const std::int64_t row = i / box.size[0];
+            filled.some.push_back({box.origin[0] + static_cast<int>(i % box.size[0]),
+                                   box.origin[1] + static_cast<int>(row % box.size[1]),
+                                   box.origin[2] + static_cast<int>(row / box.size[1])});
+        }
+        if (!has_chosen) count += more;
+    }
+    filled.share = static_cast<double>(count - step / 2) / static_cast<double>(box.count());
+    return filled;
+}
+
 // Marks the columns of a box that have a value above `above`.
 void mark_columns(const float* values, const VoxelBox& box, float above,
                   std::vector<char>& columns) {
@@ -272,12 +297,15 @@ class Survey {
         }
         level.content_hash = hasher_.hex();
         level.peaks = peaks_;
+        level.filled = {filled_.some, filled_.share / count};
         if (count_ == nullptr) return;
         const auto covered = std::ranges::count(covered_, 1);
         count_->share = static_cast<double>(covered) / static_cast<double>(covered_.size());
     }
 
   private:
+    static constexpr std::int64_t kMostFilled = 1 << 16;
+
     std::size_t width() const { return static_cast<std::size_t>(level_.size[0]); }
 
     void look_at(int index, Slot& slot) const {
@@ -306,6 +334,8 @@ class Survey {
         for (std::size_t c = 0; c < channels; ++c) {
             add_box_peaks(planes[c], box, static_cast<int>(c), slot.peaks);
         }
+        const std::int64_t step = VoxelBox{{}, level_.size}.count() / kMostFilled + 1;
+        slot.filled = filled_voxels(planes[0], box, step);
         if (count_ != nullptr) mark_columns(planes[0], box, count_->above, slot.covered);
         // Several channels are stored interleaved.
         if (channels > 1) {
@@ -322,6 +352,8 @@ class Survey {
         }
         for (std::size_t c = 0; c < whole_.size(); ++c) add(slot.channels[c], whole_[c]);
         peaks_.insert(peaks_.end(), slot.peaks.begin(), slot.peaks.end());
+        filled_.some.insert(filled_.some.end(), slot.filled.some.begin(), slot.filled.some.end());
+        filled_.share += slot.filled.share * static_cast<double>(boxes_[index].count());
         hasher_.update(slot.bytes);
         if (count_ != nullptr) {
             const std::size_t first = static_cast<std::size_t>(boxes_[index].origin[1]) * width();
@@ -369,6 +401,7 @@ class Survey {
     const BoxSequence boxes_;
     std::vector<Summary> whole_;
     std::vector<VoxelPeak> peaks_;
+    FilledVoxels filled_{{}, 0};  // the share as a number of voxels
     std::vector<char> covered_;
     Hasher hasher_;
     std::optional<Diagnostic> problem_;

@@ -14,7 +14,7 @@ struct Baked;
 
 inline constexpr int kHistogramBins = 32;
 
-// Fills in statistics, content_hash and peaks of volume.levels[level] from the values as stored,
+// Fills in statistics, content_hash, peaks and filled of volume.levels[level] from the values as stored,
 // and adds to volume.range. histogram_ranges has one pair per channel, lower bound first; the last
 // bin includes values equal to the upper bound. The results do not depend on the number of threads.
 //

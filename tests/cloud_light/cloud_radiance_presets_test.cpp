@@ -23,10 +23,10 @@ namespace {
 using namespace test;
 using cloud_light::CloudLayer;
 
-// cumulus_humilis under a sun of 10 degrees has 11.4 %, and 8.1 % by many paths. The bar is 5 %.
-constexpr double kMostRms = 0.12;
-// 24.5 % was reached, of the same. The bar is 10 %.
-constexpr double kMostP99 = 0.255;
+// cumulus_humilis under a sun of 30 degrees has 7.0 %, and 9.1 % by many paths. The bar is 5 %.
+constexpr double kMostRms = 0.095;
+// 15.0 % was reached, of the same. The bar is 10 %.
+constexpr double kMostP99 = 0.16;
 // Paths and number of the pixels that are few and nearly without noise.
 constexpr int kManyPaths = 20000;
 constexpr std::size_t kFewPixels = 48;

@@ -220,7 +220,7 @@ Outcome<Baked> bake_noise_volume(const Noise& noise, const NoiseVolumeBake& bake
 }
 
 Baker<config::NoiseVolumeBake> baker(BakerTag<config::NoiseVolumeBake>) {
-    return {.version = 4,
+    return {.version = 5,
             .bake = bake,
             .estimate = estimate,
             .places = places,
