@@ -163,12 +163,12 @@ inline std::vector<Probe> sample_volume_probes(const Level& level, std::size_t c
     return probes;
 }
 
-// Texels, surveyed, with probes.
+// Texels, surveyed, with probes. The image may be that of the level that goes.
 inline void set_sample_image(const Image2<float>& image, Baked& table) {
     set_image(image, table);
     const std::vector<std::array<double, 2>> ranges(table.channel_names.size(), {0.0, 1.0});
     EXPECT_TRUE(survey_level(table, 0, ranges, {2}).empty());
-    table.levels[0].probes = sample_probes(image);
+    table.levels[0].probes = sample_probes(table.image());
     table.levels[0].catches = {"zeros", "flip_v"};
 }
 
