@@ -109,25 +109,24 @@ Coordinates place_beside(const std::array<int, 3>& voxel, const Coordinates& wit
 
 // Compares lookups with the reference at places, in tiles.
 VolumeErrors measure(const Level& level, PixelType type, const VolumeReference& reference,
-                     const Places& at_places, const VolumeComparison& comparison,
+                     const Places& places, const VolumeComparison& comparison,
                      const BakeOptions& options) {
-    const std::vector<Coordinates>& places = at_places.uvw;
     const StoredVoxels voxels(level, type);
-    std::vector<std::vector<double>> errors(places.size());
-    std::vector<std::vector<double>> noise(places.size());
-    std::vector<double> weights(places.size());
+    std::vector<std::vector<double>> errors(places.uvw.size());
+    std::vector<std::vector<double>> noise(places.uvw.size());
+    std::vector<double> weights(places.uvw.size());
     constexpr int kTile = 32;
-    const auto count = static_cast<int>(places.size());
+    const auto count = static_cast<int>(places.uvw.size());
     for_each_tile((count + kTile - 1) / kTile, options, "certify", [&](int tile) {
         for (int i = tile * kTile; i < std::min(count, (tile + 1) * kTile); ++i) {
             if (options.cancelled()) return;
             const auto at = static_cast<std::size_t>(i);
-            const Lookup lookup = look_up(voxels, level, places[at]);
-            weights[at] = at_places.weight(level, lookup);
-            const std::vector<double>& found = lookup.values;
-            const std::vector<double> wanted = reference(places[at]);
-            errors[at] = comparison.errors ? comparison.errors(places[at], found, wanted)
-                                           : shares_of_range(level, found, wanted);
+            const Lookup lookup = look_up(voxels, level, places.uvw[at]);
+            weights[at] = places.weight(level, lookup);
+            const std::vector<double> wanted = reference(places.uvw[at]);
+            errors[at] = comparison.errors
+                             ? comparison.errors(places.uvw[at], lookup.values, wanted)
+                             : shares_of_range(level, lookup.values, wanted);
             noise[at].resize(errors[at].size());
             if (comparison.noise) noise[at] = comparison.noise(wanted);
         }
@@ -139,7 +138,7 @@ VolumeErrors measure(const Level& level, PixelType type, const VolumeReference& 
         for (std::size_t c = 0; c < errors[i].size(); ++c) {
             const double before = statistics.max();
             statistics.add(errors[i][c], noise[i][c], weights[i]);
-            if (statistics.max() > before) result.worst = places[i];
+            if (statistics.max() > before) result.worst = places.uvw[i];
         }
     }
     result.figures = statistics.figures();

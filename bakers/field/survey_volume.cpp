@@ -27,6 +27,8 @@ struct Summary {
     double sum = 0;
     std::array<std::int64_t, kHistogramBins> histogram{};
     long below_normal = 0;
+    std::int64_t filled = 0;          // values that are not 0
+    std::vector<std::size_t> chosen;  // places in the box of every n-th of them
 };
 
 struct BadValue {
@@ -41,10 +43,17 @@ struct Slot {
     std::string bytes;
     std::vector<Summary> channels;
     std::vector<VoxelPeak> peaks;
-    FilledVoxels filled;        // of the box
     std::vector<char> covered;  // columns of the box with a value above that of ColumnCount
     std::optional<BadValue> bad;
 };
+
+// The voxel of the value at a place in a box.
+std::array<int, 3> voxel_at(const VoxelBox& box, std::size_t place) {
+    const auto at = static_cast<int>(place);
+    const int row = at / box.size[0];
+    return {box.origin[0] + at % box.size[0], box.origin[1] + row % box.size[1],
+            box.origin[2] + row / box.size[1]};
+}
 
 // The first voxel, and the first of its channels, whose value the type cannot hold.
 BadValue first_bad(const std::vector<float*>& channels, PixelType type) {
@@ -129,11 +138,28 @@ Stretch stretch_from(const float* values, std::size_t first, std::size_t count) 
     return stretch;
 }
 
+// Counts the values that are not 0, of which the first is at `first` in its box, and chooses every `step`-th.
+void add_filled(const float* values, std::size_t count, std::size_t first, std::int64_t step,
+                Summary& summary) {
+    constexpr std::size_t kPiece = 128;
+    for (std::size_t begin = 0; begin < count; begin += kPiece) {
+        const std::size_t end = std::min(begin + kPiece, count);
+        const std::int64_t more =
+            count_below(values + begin, end - begin, std::numeric_limits<float>::infinity());
+        std::int64_t number = summary.filled + step / 2;
+        summary.filled += more;
+        if ((number + more) / step == number / step) continue;
+        for (std::size_t i = begin; i < end; ++i) {
+            if (values[i] != 0 && ++number % step == 0) summary.chosen.push_back(first + i);
+        }
+    }
+}
+
 // Summarises the values of one channel of a box and stores them. Rounds `values`. Most of a cloud's
-// box is empty and costs only one check. Returns nothing if the type cannot hold some value, which
-// is left as it is.
+// box is empty and costs only one check. Chooses every `step`-th filled value, or none if `step` is 0. Returns
+// nothing if the type cannot hold some value, which is left as it is.
 std::optional<Summary> summarize(float* values, std::size_t count, std::array<double, 2> range,
-                                 PixelType type, char* stored) {
+                                 PixelType type, std::int64_t step, char* stored) {
     const auto width = static_cast<std::size_t>(bytes_per_value(type));
     const PixelRange bounds = range_of(type);
     const auto normal = static_cast<float>(smallest_normal(type));
@@ -159,6 +185,7 @@ std::optional<Summary> summarize(float* values, std::size_t count, std::array<do
         load_values(to, length, type, from);
         add_values(from, length, lanes);
         histogram.add(from, length);
+        if (step > 0) add_filled(from, length, i, step, summary);
     }
     finish(lanes, summary);
     histogram.finish(summary);
@@ -170,6 +197,7 @@ void add(const Summary& part, Summary& whole) {
     whole.max = std::max(whole.max, part.max);
     whole.sum += part.sum;
     whole.below_normal += part.below_normal;
+    whole.filled += part.filled;
     for (std::size_t i = 0; i < part.histogram.size(); ++i) {
         whole.histogram[i] += part.histogram[i];
     }
@@ -196,8 +224,6 @@ void add_box_peaks(const float* values, const VoxelBox& box, int channel,
                    std::vector<VoxelPeak>& peaks) {
     constexpr std::size_t kParts = 8;
     const auto count = static_cast<std::size_t>(box.count());
-    const auto width = static_cast<std::size_t>(box.size[0]);
-    const auto height = static_cast<std::size_t>(box.size[1]);
     for (std::size_t part = 0; part < kParts; ++part) {
         const std::size_t first = part * count / kParts;
         const std::size_t last = (part + 1) * count / kParts;
@@ -205,36 +231,8 @@ void add_box_peaks(const float* values, const VoxelBox& box, int channel,
         if (largest <= 0) continue;
         const auto at =
             static_cast<std::size_t>(std::find(values + first, values + last, largest) - values);
-        peaks.push_back({{box.origin[0] + static_cast<int>(at % width),
-                          box.origin[1] + static_cast<int>(at / width % height),
-                          box.origin[2] + static_cast<int>(at / width / height)},
-                         channel,
-                         largest});
+        peaks.push_back({voxel_at(box, at), channel, largest});
     }
-}
-
-// Every `step`-th of a box's voxels that are not 0, and their share of the box.
-FilledVoxels filled_voxels(const float* values, const VoxelBox& box, std::int64_t step) {
-    constexpr std::int64_t kPiece = 256;
-    FilledVoxels filled;
-    std::int64_t count = step / 2;
-    for (std::int64_t first = 0; first < box.count(); first += kPiece) {
-        const std::int64_t last = std::min(first + kPiece, box.count());
-        const std::int64_t more =
-            count_below(values + first, static_cast<std::size_t>(last - first),
-                        std::numeric_limits<float>::infinity());
-        const bool has_chosen = (count + more) / step != count / step;
-        for (std::int64_t i = first; has_chosen && i < last; ++i) {
-            if (values[i] == 0 || ++count % step != 0) continue;
-            const std::int64_t row = i / box.size[0];
-            filled.some.push_back({box.origin[0] + static_cast<int>(i % box.size[0]),
-                                   box.origin[1] + static_cast<int>(row % box.size[1]),
-                                   box.origin[2] + static_cast<int>(row / box.size[1])});
-        }
-        if (!has_chosen) count += more;
-    }
-    filled.share = static_cast<double>(count - step / 2) / static_cast<double>(box.count());
-    return filled;
 }
 
 // Marks the columns of a box that have a value above `above`.
@@ -270,6 +268,9 @@ class Survey {
           ranges_(histogram_ranges),
           options_(options),
           count_(count),
+          step_(level > 0 || options.certification == Certification::off
+                    ? 0
+                    : VoxelBox{{}, level_.size}.count() / kMostChosen + 1),
           boxes_(level_.size, static_cast<int>(volume.channel_names.size())),
           whole_(volume.channel_names.size()) {
         if (count_ != nullptr) covered_.resize(width() * static_cast<std::size_t>(level_.size[1]));
@@ -297,14 +298,14 @@ class Survey {
         }
         level.content_hash = hasher_.hex();
         level.peaks = peaks_;
-        level.filled = {filled_.some, filled_.share / count};
+        if (step_ > 0) level.filled = {filled_, static_cast<double>(whole_[0].filled) / count};
         if (count_ == nullptr) return;
         const auto covered = std::ranges::count(covered_, 1);
         count_->share = static_cast<double>(covered) / static_cast<double>(covered_.size());
     }
 
   private:
-    static constexpr std::int64_t kMostFilled = 1 << 16;
+    static constexpr std::int64_t kMostChosen = 1 << 16;
 
     std::size_t width() const { return static_cast<std::size_t>(level_.size[0]); }
 
@@ -322,8 +323,9 @@ class Survey {
         const auto width = static_cast<std::size_t>(bytes_per_value(volume_.pixel_type));
         slot.bytes.resize(count * channels * width);
         for (std::size_t c = 0; c < channels; ++c) {
-            const auto summary = summarize(planes[c], count, ranges_[c], volume_.pixel_type,
-                                           slot.bytes.data() + c * count * width);
+            const auto summary =
+                summarize(planes[c], count, ranges_[c], volume_.pixel_type, c == 0 ? step_ : 0,
+                          slot.bytes.data() + c * count * width);
             if (!summary) {
                 slot.bad = first_bad(planes, volume_.pixel_type);
                 return;
@@ -334,8 +336,6 @@ class Survey {
         for (std::size_t c = 0; c < channels; ++c) {
             add_box_peaks(planes[c], box, static_cast<int>(c), slot.peaks);
         }
-        const std::int64_t step = VoxelBox{{}, level_.size}.count() / kMostFilled + 1;
-        slot.filled = filled_voxels(planes[0], box, step);
         if (count_ != nullptr) mark_columns(planes[0], box, count_->above, slot.covered);
         // Several channels are stored interleaved.
         if (channels > 1) {
@@ -352,8 +352,9 @@ class Survey {
         }
         for (std::size_t c = 0; c < whole_.size(); ++c) add(slot.channels[c], whole_[c]);
         peaks_.insert(peaks_.end(), slot.peaks.begin(), slot.peaks.end());
-        filled_.some.insert(filled_.some.end(), slot.filled.some.begin(), slot.filled.some.end());
-        filled_.share += slot.filled.share * static_cast<double>(boxes_[index].count());
+        for (const std::size_t chosen : slot.channels[0].chosen) {
+            filled_.push_back(voxel_at(boxes_[index], chosen));
+        }
         hasher_.update(slot.bytes);
         if (count_ != nullptr) {
             const std::size_t first = static_cast<std::size_t>(boxes_[index].origin[1]) * width();
@@ -368,14 +369,11 @@ class Survey {
     }
 
     Diagnostic diagnostic(const VoxelBox& box, const BadValue& bad) const {
-        const auto width = static_cast<std::size_t>(box.size[0]);
-        const auto height = static_cast<std::size_t>(box.size[1]);
+        const auto [x, y, z] = voxel_at(box, bad.index);
         const std::string level = number_ == 0 ? "" : fmt::format(" of level {}", number_);
-        const std::string place = fmt::format(
-            "`{}`: the value at voxel ({}, {}, {}){}, channel {},", volume_.name, bad.index % width,
-            bad.index / width % height + static_cast<std::size_t>(box.origin[1]),
-            bad.index / width / height + static_cast<std::size_t>(box.origin[2]), level,
-            volume_.channel_names[bad.channel]);
+        const std::string place =
+            fmt::format("`{}`: the value at voxel ({}, {}, {}){}, channel {},", volume_.name, x, y,
+                        z, level, volume_.channel_names[bad.channel]);
         if (!std::isfinite(bad.value)) return diagnosis("E0401", place + " is not finite");
         const std::string range = range_text(volume_.pixel_type);
         const bool is_noise = volume_.kind == "noise_volume";
@@ -398,10 +396,11 @@ class Survey {
     const std::vector<std::array<double, 2>>& ranges_;
     const BakeOptions& options_;
     ColumnCount* const count_;
+    const std::int64_t step_;  // from one chosen voxel to the next; 0 where no certificate looks
     const BoxSequence boxes_;
     std::vector<Summary> whole_;
     std::vector<VoxelPeak> peaks_;
-    FilledVoxels filled_{{}, 0};  // the share as a number of voxels
+    std::vector<std::array<int, 3>> filled_;
     std::vector<char> covered_;
     Hasher hasher_;
     std::optional<Diagnostic> problem_;
