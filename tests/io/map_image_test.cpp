@@ -108,18 +108,16 @@ TEST(MapImage, HasTheValuesOfOurOwnFiles) {
                                               Compression::zips, Compression::piz);
         image.pixels = testing::sample_image(*rc::gen::inRange(1, 70), *rc::gen::inRange(1, 70), 4);
         for (float& value : image.pixels.texels) value = std::min(value, 1.0F);
-        testing::write_bytes(folder / "map.exr", *encode_exr(image).value);
+        testing::write_bytes(folder / "map.exr", encode_exr(image));
         const int channel = *rc::gen::inRange(0, 4);
         const auto map = read(folder / "map.exr", std::string(1, "RGBA"[channel]));
         RC_ASSERT(map.value.has_value());
         RC_ASSERT(map.value->width == image.pixels.width);
         RC_ASSERT(map.value->height == image.pixels.height);
-        for (int y = 0; y < image.pixels.height; ++y) {
-            for (int x = 0; x < image.pixels.width; ++x) {
-                const auto index = static_cast<std::size_t>(y * image.pixels.width + x);
-                RC_ASSERT(map.value->values[index] == image.pixels.texel(x, y)[channel]);
-            }
-        }
+        testing::for_each_texel(image.pixels.width, image.pixels.height, [&](int x, int y) {
+            const auto index = static_cast<std::size_t>(y * image.pixels.width + x);
+            RC_ASSERT(map.value->values[index] == image.pixels.texel(x, y)[channel]);
+        });
     }));
 }
 
@@ -161,7 +159,7 @@ TEST(MapImage, DecodesSrgb) {
         image.pixels.texels[i] = i < 256 ? static_cast<float>(i) / 255.0F
                                          : static_cast<float>(random.below(1U << 24)) * 0x1p-24F;
     }
-    testing::write_bytes(folder / "map.exr", *encode_exr(image).value);
+    testing::write_bytes(folder / "map.exr", encode_exr(image));
     const auto map = read(folder / "map.exr", "", MapColorSpace::srgb);
     ASSERT_TRUE(map.value.has_value());
     for (std::size_t i = 0; i < image.pixels.texels.size(); ++i) {
@@ -242,17 +240,11 @@ TEST(MapImageFails, ForChannelsThatAreNotThere) {
 TEST(MapImageFails, ForValuesThatAreNoShares) {
     const TemporaryFolder folder;
     const auto error = [&](float value) {
-        constexpr float stand_in = 0x1.234568p-1F;  // our encoder takes no NaN
         ExrImage image;
         image.channel_names = {"R", "G", "B"};
         image.pixels = Image2<float>(5, 4, 3);
-        image.pixels.texel(3, 2)[1] = stand_in;
-        image.compression = config::Compression::none;
-        std::string bytes = *encode_exr(image).value;
-        const std::string before(reinterpret_cast<const char*>(&stand_in), sizeof(float));
-        const std::string after(reinterpret_cast<const char*>(&value), sizeof(float));
-        bytes.replace(bytes.find(before), sizeof(float), after);
-        testing::write_bytes(folder / "map.exr", bytes);
+        image.pixels.texel(3, 2)[1] = value;
+        testing::write_bytes(folder / "map.exr", encode_exr(image));
         EXPECT_EQ(error_of(folder / "map.exr", "R"), "");
         return error_of(folder / "map.exr", "G");
     };
@@ -275,7 +267,7 @@ TEST(MapImage, IsScaledAndClamped) {
     image.channel_names = {"Y"};
     image.pixels = Image2<float>(4, 1, 1);
     image.pixels.texels = {-0.5F, 0.5F, 3, 65504};
-    testing::write_bytes(folder / "map.exr", *encode_exr(image).value);
+    testing::write_bytes(folder / "map.exr", encode_exr(image));
     CloudMap map;
     map.path = folder / "map.exr";
     const auto values = [&](double factor, bool clamp, MapColorSpace space) {

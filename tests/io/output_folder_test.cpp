@@ -22,23 +22,23 @@ TEST(OutputFolder, AMissingOneIsFineAndNotMadeByLooking) {
 
 TEST(OutputFolder, TakesBackTheFoldersItMade) {
     const TemporaryFolder folder;
-    std::filesystem::create_directories(folder / "old");
+    fs::create_directories(folder / "old");
     const auto made = create_output_folder(folder / "old/a/b");
     ASSERT_TRUE(made.value.has_value());
     EXPECT_EQ(made.value->size(), 2u);
     remove_empty_folders(*made.value);
-    EXPECT_FALSE(std::filesystem::exists(folder / "old/a"));
-    EXPECT_TRUE(std::filesystem::exists(folder / "old"));
+    EXPECT_FALSE(fs::exists(folder / "old/a"));
+    EXPECT_TRUE(fs::exists(folder / "old"));
 }
 
 TEST(OutputFolder, LeavesFoldersInUse) {
     const TemporaryFolder folder;
     const auto made = create_output_folder(folder / "a/b");
     ASSERT_TRUE(made.value.has_value());
-    std::filesystem::create_directories(folder / "a/other");
+    fs::create_directories(folder / "a/other");
     remove_empty_folders(*made.value);
-    EXPECT_FALSE(std::filesystem::exists(folder / "a/b"));
-    EXPECT_TRUE(std::filesystem::exists(folder / "a/other"));
+    EXPECT_FALSE(fs::exists(folder / "a/b"));
+    EXPECT_TRUE(fs::exists(folder / "a/other"));
 }
 
 TEST(OutputFolder, RelativeAndCurrentFoldersAreFine) {

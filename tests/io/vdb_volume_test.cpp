@@ -62,13 +62,9 @@ FloatGrid::Ptr dense_grid(const Baked& volume, int channel) {
     grid->denseFill(openvdb::CoordBBox(Coord(0), Coord(size[0] - 1, size[1] - 1, size[2] - 1)),
                     0.0F, true);
     FloatGrid::Accessor values = grid->getAccessor();
-    for (int x = 0; x < size[0]; ++x) {
-        for (int y = 0; y < size[1]; ++y) {
-            for (int z = 0; z < size[2]; ++z) {
-                values.setValueOn(Coord(x, y, z), stored_voxel(volume, x, y, z, channel));
-            }
-        }
-    }
+    for_each_voxel(size, [&](int x, int y, int z) {
+        values.setValueOn(Coord(x, y, z), stored_voxel(volume, x, y, z, channel));
+    });
     return grid;
 }
 

@@ -4,6 +4,7 @@
 namespace skybake {
 namespace gpu::flipbook_lookups {
 #include "lookups/flipbook.glsl.h"
+#include "tests/support/loops.h"
 }  // namespace gpu::flipbook_lookups
 
 namespace {
@@ -35,19 +36,15 @@ Texture sheet_of(const Texture& book, int columns, int rows) {
                             static_cast<std::size_t>(columns * rows),
                         kEmpty);
     const auto channels = static_cast<std::size_t>(book.channels);
-    for (int frame = 0; frame < frames; ++frame) {
-        for (int y = 0; y < height; ++y) {
-            for (int x = 0; x < width; ++x) {
-                const int row = frame / columns * height + y;
-                const int column = frame % columns * width + x;
-                for (int c = 0; c < book.channels; ++c) {
-                    const auto to = static_cast<std::size_t>(row * sheet.size[0] + column);
-                    sheet.texels[to * channels + static_cast<std::size_t>(c)] =
-                        book.texel({x, y, frame}, c);
-                }
-            }
+    testing::for_each_voxel({width, height, frames}, [&](int x, int y, int frame) {
+        const int row = frame / columns * height + y;
+        const int column = frame % columns * width + x;
+        for (int c = 0; c < book.channels; ++c) {
+            const auto to = static_cast<std::size_t>(row * sheet.size[0] + column);
+            sheet.texels[to * channels + static_cast<std::size_t>(c)] =
+                book.texel({x, y, frame}, c);
         }
-    }
+    });
     return sheet;
 }
 

@@ -64,19 +64,15 @@ TEST(Alligator, IsAtMostTheHeightOfItsPoint) {
     const std::uint64_t key = octave_key(7, 0, Purpose::alligator, {5, 5, 5});
     const Noise noise = test::noise_of({test::alligator({{5, 5, 5}})});
     int alone = 0;
-    for (std::uint32_t z = 0; z < 5; ++z) {
-        for (std::uint32_t y = 0; y < 5; ++y) {
-            for (std::uint32_t x = 0; x < 5; ++x) {
-                const CellPoint point = cell_point(row_key(key, y, z), x);
-                const double found =
-                    noise_reference(noise, {(x + double{point.x}) / 5, (y + double{point.y}) / 5,
-                                            (z + double{point.z}) / 5})[0];
-                EXPECT_GE(found, 0);
-                EXPECT_LE(found, 1);
-                alone += std::fabs(found - point.height) < 1e-9 ? 1 : 0;
-            }
-        }
-    }
+    testing::for_each_voxel({5, 5, 5}, [&](std::uint32_t x, std::uint32_t y, std::uint32_t z) {
+        const CellPoint point = cell_point(row_key(key, y, z), x);
+        const double found = noise_reference(
+            noise,
+            {(x + double{point.x}) / 5, (y + double{point.y}) / 5, (z + double{point.z}) / 5})[0];
+        EXPECT_GE(found, 0);
+        EXPECT_LE(found, 1);
+        alone += std::fabs(found - point.height) < 1e-9 ? 1 : 0;
+    });
     EXPECT_GT(alone, 0) << "a point that no other bump reaches";
 }
 

@@ -47,13 +47,8 @@ TEST(VdbGrid, IsTheBoxOfActiveVoxelsAndTiles) {
     const TemporaryFolder folder;
     const FloatGrid::Ptr grid = any_grid();
     write_grid(grid, folder / "v.vdb");
-    const openvdb::CoordBBox active = grid->evalActiveVoxelBoundingBox();
     const FileVoxels file = opened(folder / "v.vdb");
-    for (int i = 0; i < 3; ++i) {
-        const auto axis = static_cast<std::size_t>(i);
-        EXPECT_EQ(file.first[axis], active.min()[i]);
-        EXPECT_EQ(file.size[axis], active.dim()[i]);
-    }
+    testing::expect_active_box(*grid, file);
     float largest = 0;
     for (auto voxel = grid->cbeginValueAll(); voxel; ++voxel) {
         largest = std::max(largest, voxel.getValue());
@@ -84,8 +79,7 @@ TEST(VdbGrid, IsEmptyOnlyWhereNothingIs) {
             const VoxelBox box{{x, -8, z}, {5, 9, 7}};
             if (!file.voxels->is_empty(box)) continue;
             ++empty;
-            std::vector<float> values(static_cast<std::size_t>(box.count()), 1.0F);
-            file.voxels->fill(box, {values.data()});
+            const std::vector<float> values = testing::planes_of(*file.voxels, box, 1)[0];
             EXPECT_EQ(values, std::vector<float>(values.size(), 0.0F));
         }
     }
