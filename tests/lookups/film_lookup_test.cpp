@@ -8,11 +8,11 @@
 
 #include "bakers/render/tone_curve.h"
 #include "tests/lookups/gpu.h"
+#include "tests/support/loops.h"
 
 namespace skybake {
 namespace gpu::film_lookups {
 #include "lookups/film.glsl.h"
-#include "tests/support/loops.h"
 }  // namespace gpu::film_lookups
 
 namespace {

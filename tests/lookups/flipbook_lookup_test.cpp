@@ -1,10 +1,10 @@
 // Flipbooks, as textures of a layer per frame and as sheets of cells.
 #include "tests/lookups/lookup_trial.h"
+#include "tests/support/loops.h"
 
 namespace skybake {
 namespace gpu::flipbook_lookups {
 #include "lookups/flipbook.glsl.h"
-#include "tests/support/loops.h"
 }  // namespace gpu::flipbook_lookups
 
 namespace {
