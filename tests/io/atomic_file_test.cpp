@@ -1,10 +1,8 @@
 #include "bakers/io/files/atomic_file.h"
 
 #include <fcntl.h>
-#include <sched.h>
 #include <sys/file.h>
 #include <sys/mount.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -12,11 +10,10 @@
 #include <atomic>
 #include <chrono>
 #include <csignal>
-#include <functional>
 #include <thread>
 
 #include "bakers/io/files/file_io.h"
-#include "tests/io/files.h"
+#include "tests/io/small_disks.h"
 #include "tests/support/cancelled_at.h"
 
 namespace skybake {
@@ -165,34 +162,16 @@ bool is_refused(const fs::path& path, const std::string& text, std::string_view 
 TEST(AtomicFile, ASizeLimitIsReportedAndNothingStays) {
     const TemporaryFolder folder;
     write_bytes(folder / "a", "old");
-    const int status = in_child([&folder] {
-        std::signal(SIGXFSZ, SIG_IGN);
-        const rlimit limit{4096, 4096};
-        ::setrlimit(RLIMIT_FSIZE, &limit);
-        return is_refused(folder / "a", std::string(100000, 'x'), "File too large") ? 0 : 1;
-    });
-    EXPECT_EQ(status, 0);
+    {
+        const testing::LargestFile limit(4096);
+        EXPECT_TRUE(is_refused(folder / "a", std::string(100000, 'x'), "File too large"));
+    }
     EXPECT_EQ(read_bytes(folder / "a"), "old");
     EXPECT_EQ(folder.names(), Names{"a"});
 }
 
-constexpr int not_permitted = 77;
-
-// Expects 0 of `body`, run with a file system of 64 KiB over the folder, which vanishes with the child.
-void expect_on_small_disk(const std::function<int(const TemporaryFolder&)>& body) {
-    const TemporaryFolder folder;
-    const int status = in_child([&] {
-        const bool mounted = ::unshare(CLONE_NEWNS) == 0 &&
-                             ::mount("none", "/", nullptr, MS_REC | MS_PRIVATE, nullptr) == 0 &&
-                             ::mount("none", folder.path().c_str(), "tmpfs", 0, "size=64k") == 0;
-        return mounted ? body(folder) : not_permitted;
-    });
-    if (status == not_permitted) GTEST_SKIP() << "mounting a small file system is not permitted";
-    EXPECT_EQ(status, 0);
-}
-
 TEST(AtomicFile, AFullDiskIsReportedAndNothingStays) {
-    expect_on_small_disk([](const TemporaryFolder& folder) {
+    testing::expect_on_small_disk("64k", [](const TemporaryFolder& folder) {
         write_bytes(folder / "a", "old");
         const std::string large(1000000, 'x');
         if (!is_refused(folder / "a", large, "No space left on device")) return 1;
@@ -202,7 +181,7 @@ TEST(AtomicFile, AFullDiskIsReportedAndNothingStays) {
 }
 
 TEST(AtomicFile, AFullDiskLeavesAllFilesThatBelongTogether) {
-    expect_on_small_disk([](const TemporaryFolder& folder) {
+    testing::expect_on_small_disk("64k", [](const TemporaryFolder& folder) {
         write_bytes(folder / "a", "old");
         write_bytes(folder / "b", "old");
         AtomicFiles files;
@@ -214,9 +193,9 @@ TEST(AtomicFile, AFullDiskLeavesAllFilesThatBelongTogether) {
 }
 
 TEST(AtomicFile, AReadOnlyDiskIsReported) {
-    expect_on_small_disk([](const TemporaryFolder& folder) {
+    testing::expect_on_small_disk("64k", [](const TemporaryFolder& folder) {
         if (::mount("none", folder.path().c_str(), nullptr, MS_REMOUNT | MS_RDONLY, nullptr) != 0) {
-            return not_permitted;
+            return testing::not_permitted;
         }
         return is_refused(folder / "a", "x", "Read-only file system") ? 0 : 1;
     });
@@ -303,11 +282,11 @@ TEST(AtomicFile, AFolderWithoutPermissionIsReported) {
     const int status = in_child([&folder] {
         constexpr uid_t nobody = 65534;
         if (::geteuid() == 0 && ::setuid(nobody) != 0)
-            return not_permitted;  // root may write anywhere
+            return testing::not_permitted;  // root may write anywhere
         return is_refused(folder / "a", "x", "Permission denied") ? 0 : 1;
     });
     fs::permissions(folder.path(), fs::perms::owner_all);
-    if (status == not_permitted) GTEST_SKIP() << "root cannot become anybody else here";
+    if (status == testing::not_permitted) GTEST_SKIP() << "root cannot become anybody else here";
     EXPECT_EQ(status, 0);
 }
 

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "bakers/io/formats/vdb/vdb_file.h"
+#include "tests/support/outcomes.h"
 #include "tests/volumes/vdb_files.h"
 
 namespace skybake {
@@ -89,9 +90,8 @@ TEST(ForeignGrid, MayStandInAStream) {
     for (const char* name : {"one.vdb", "two.vdb"}) {
         const FileVoxels file = opened(folder / name);
         expect_same_voxels(*first, file, {{-40, -30, -9}, {90, 80, 60}});
-        const auto described = read_vdb(folder / name);
-        ASSERT_TRUE(described.value);
-        EXPECT_EQ(described.value->grids.back().name, "density");
+        const auto described = test::without_errors(read_vdb(folder / name));
+        EXPECT_EQ(described.grids.back().name, "density");
     }
     const auto mask = openvdb::MaskGrid::create();
     mask->setName("m");
@@ -187,15 +187,14 @@ TEST(ForeignGrid, SaysWhichVoxelsAreNoDensities) {
                            "not_finite = \"background\" takes the background in their place"),
               std::string::npos)
         << message;
-    const auto file = open_vdb_grid(folder / "v.vdb", "density", VolumePart::voxels,
-                                    config::NotFinite::background);
-    ASSERT_TRUE(file.value);
-    EXPECT_EQ(file.value->faults.negative.count, 1);
-    EXPECT_EQ(file.value->faults.negative.index, (std::array<std::int64_t, 3>{9, 9, 9}));
-    EXPECT_LE(file.value->largest, 1);
+    const auto file = test::without_errors(open_vdb_grid(
+        folder / "v.vdb", "density", VolumePart::voxels, config::NotFinite::background));
+    EXPECT_EQ(file.faults.negative.count, 1);
+    EXPECT_EQ(file.faults.negative.index, (std::array<std::int64_t, 3>{9, 9, 9}));
+    EXPECT_LE(file.largest, 1);
     grid->tree().setValue(Coord(-19, 8, 5), 0.25F);
     grid->tree().setValue(Coord(30, 31, 32), 0.25F);
-    expect_same_voxels(*grid, *file.value, {{-40, -30, -9}, {90, 80, 60}});
+    expect_same_voxels(*grid, file, {{-40, -30, -9}, {90, 80, 60}});
 }
 
 TEST(ForeignGrid, IsDescribedByWhatItHolds) {
@@ -208,10 +207,9 @@ TEST(ForeignGrid, IsDescribedByWhatItHolds) {
     openvdb::io::File((folder / "v.vdb").string())
         .write({named(openvdb::BoolGrid::create(), "b"), named(openvdb::MaskGrid::create(), "m"),
                 named(openvdb::Vec3SGrid::create(), "v"), named(FloatGrid::create(), "f")});
-    const auto file = read_vdb(folder / "v.vdb");
-    ASSERT_TRUE(file.value);
+    const auto file = test::without_errors(read_vdb(folder / "v.vdb"));
     std::string types;
-    for (const VdbGrid& grid : file.value->grids) {
+    for (const VdbGrid& grid : file.grids) {
         types += grid.value_type + " ";
         EXPECT_TRUE(grid.empty) << grid.name;
         EXPECT_EQ(grid.active_voxels, 0);
