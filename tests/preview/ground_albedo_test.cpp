@@ -1,6 +1,5 @@
 // How the ground's albedo varies: its mean, its contrast, and what is left of it far away.
 #include "bakers/render/scene_view.h"
-#include "tests/support/loops.h"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +7,8 @@
 #include <cmath>
 #include <functional>
 #include <vector>
+
+#include "tests/support/loops.h"
 
 namespace skybake {
 namespace {

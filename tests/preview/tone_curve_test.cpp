@@ -1,5 +1,4 @@
 #include "bakers/render/tone_curve.h"
-#include "tests/support/loops.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -8,6 +7,8 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+
+#include "tests/support/loops.h"
 
 namespace skybake {
 namespace {
