@@ -21,11 +21,8 @@ TEST(VerifyVolume, AcceptsWhatWasWritten) {
             volume.layout = layout;
             volume.columns = 3;
             testing::write_sample_volume(folder.path(), volume);
+            EXPECT_EQ(failed_checks(folder.path()), Checks{});
             const auto report = verify_bake(folder.path());
-            ASSERT_TRUE(report.value.has_value());
-            for (const auto& failure : report.value->failures) {
-                ADD_FAILURE() << failure.file << " " << failure.check << " " << failure.message;
-            }
             EXPECT_EQ(report.value->files, 6);
             EXPECT_GT(report.value->checks, 6 * 16);
             EXPECT_EQ(verify_bake(folder / "manifest.json").value->checks, report.value->checks);
