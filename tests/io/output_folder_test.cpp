@@ -96,7 +96,7 @@ TEST(OutputFolder, EarlierFormatsClaimTheirFiles) {
                              "assets": [{"files": [{"path": "transmittance.exr", "xxh3": "0"}]}]})");
     const auto result = test::without_errors(inspect_output_folder(folder.path(), files, false));
     EXPECT_NE(result.reason.find("earlier format"), std::string::npos);
-    EXPECT_TRUE(ClaimedFiles(result->previous).hold("transmittance.exr"));
+    EXPECT_TRUE(ClaimedFiles(*result.previous).hold("transmittance.exr"));
     testing::write_bytes(folder / "second.exr", "mine");
     const std::vector<std::string> second = {"second.exr"};
     EXPECT_EQ(first_code(inspect_output_folder(folder.path(), second, false).diagnostics), "E0303");
