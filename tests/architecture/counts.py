@@ -23,7 +23,7 @@ MOST_SECTION_UNITS = 170
 # A change that adds a feature gives as many lines back. Lower these where lines were saved. Published tables
 # (*.inc) are data, as presets are, and do not count.
 MOST_PRODUCT_LINES = 132_973
-MOST_TEST_LINES = 74_714
+MOST_TEST_LINES = 74_716
 MOST_HELPER_LINES = 19_117
 
 
