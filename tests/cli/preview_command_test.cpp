@@ -44,19 +44,26 @@ cloud = "c"
 size = [16, 16, 8]
 )";
 
+// The tables that a sky is shown with.
+constexpr const char* sky_text =
+    "preset = \"earth_hillaire\"\n[bake.transmittance]\nsize = [64, 16]\n"
+    "[bake.multiple_scattering]\nmethod = \"converged\"\nmapping = \"hillaire\"\n"
+    "size = [16, 16]\n";
+
 struct Scene {
     TemporaryFolder folder;
     std::string recipe = (folder / "recipe.toml").string();
     std::string baked = (folder / "baked").string();
     std::string out = (folder / "preview").string();
 
-    Scene() { write_bytes(recipe, recipe_text); }
-    void bake() const { EXPECT_EQ(run_words({"bake", recipe, "-o", baked}).code, 0); }
+    explicit Scene(const std::string& text = recipe_text) { write_bytes(recipe, text); }
+    void bake() const { expect_said(run_words({"bake", recipe, "-o", baked}), 0, {}); }
     Result preview(std::vector<std::string> words) const {
         words.insert(words.begin(), "preview");
         words.insert(words.end(), {"-o", out});
         return run_words(words);
     }
+    void show(const std::vector<std::string>& words) const { expect_said(preview(words), 0, {}); }
     std::string page() const { return read_bytes(out + "/index.html"); }
 };
 
@@ -103,15 +110,13 @@ TEST(PreviewCommand, PrintsThePathsItWroteAndNothingElse) {
 TEST(PreviewCommand, ShowsTheSameOfRecipeFolderManifestAndFiles) {
     const Scene scene;
     scene.bake();
-    ASSERT_EQ(scene.preview({scene.recipe}).code, 0);
+    scene.show({scene.recipe});
     const json of_recipe = data_of(scene.page());
-    ASSERT_EQ(scene.preview({scene.baked}).code, 0);
+    scene.show({scene.baked});
     const json of_folder = data_of(scene.page());
-    ASSERT_EQ(scene.preview({scene.baked + "/manifest.json"}).code, 0);
+    scene.show({scene.baked + "/manifest.json"});
     EXPECT_EQ(data_of(scene.page()), of_folder);
-    const Result of_files =
-        scene.preview({scene.baked + "/transmittance.exr", scene.baked + "/volume.bin"});
-    ASSERT_EQ(of_files.code, 0) << of_files.error;
+    scene.show({scene.baked + "/transmittance.exr", scene.baked + "/volume.bin"});
     const json files = data_of(scene.page());
     for (std::size_t asset = 0; asset < 2; ++asset) {
         const json& pictures = of_recipe["assets"][asset]["pictures"];
@@ -127,7 +132,7 @@ TEST(PreviewCommand, ShowsTheSameOfRecipeFolderManifestAndFiles) {
 TEST(PreviewCommand, AFileSpeaksForItself) {
     const Scene scene;
     scene.bake();
-    ASSERT_EQ(scene.preview({scene.baked}).code, 0);
+    scene.show({scene.baked});
     const json claimed = data_of(scene.page());
     const fs::path alone = scene.folder / "alone";
     fs::create_directory(alone);
@@ -138,8 +143,7 @@ TEST(PreviewCommand, AFileSpeaksForItself) {
     for (const auto& file : files) {
         SCOPED_TRACE(file.name);
         fs::copy_file(fs::path(scene.baked) / file.name, alone / file.name);
-        const Result result = scene.preview({(alone / file.name).string()});
-        ASSERT_EQ(result.code, 0) << result.error;
+        scene.show({(alone / file.name).string()});
         const json asset = data_of(scene.page())["assets"][0];
         const json& wanted = claimed["assets"][file.asset];
         for (const char* key : {"kind", "content", "size", "channels", "mapping", "axes",
@@ -250,7 +254,7 @@ TEST(PreviewCommand, SaysHowToShowOneAssetOfAFolder) {
     scene.bake();
     expect_said(scene.preview({scene.baked, "--only", "volume"}), 2,
                 {"preview the files of those assets instead"});
-    EXPECT_EQ(scene.preview({scene.baked + "/volume.exr"}).code, 0);
+    scene.show({scene.baked + "/volume.exr"});
 }
 
 // Before anything is baked, and of what is baked already.
@@ -278,8 +282,7 @@ TEST(PreviewCommand, RefusesOptionsThatNoPictureUses) {
 }
 
 TEST(PreviewCommand, PlacesTheCameraOfACloud) {
-    const Scene scene;
-    write_bytes(scene.recipe, cloud_text);
+    const Scene scene(cloud_text);
     const Result result =
         scene.preview({scene.recipe, "--camera", " position=0.1km,200m,50m  heading=1rad fov=40",
                        "--size", "40x30", "--sun-azimuth=-20 deg", "--sun-elevation=-3", "--single",
@@ -297,11 +300,8 @@ TEST(PreviewCommand, PlacesTheCameraOfACloud) {
     // The camera that a caption tells is one that the option takes.
     const std::size_t from = caption.find('`') + 1;
     const std::string camera = caption.substr(from, caption.find('`', from) - from);
-    ASSERT_EQ(scene
-                  .preview({scene.recipe, "--camera", camera, "--size", "40x30",
-                            "--sun-azimuth=-20", "--sun-elevation=-3", "--single"})
-                  .code,
-              0);
+    scene.show({scene.recipe, "--camera", camera, "--size", "40x30", "--sun-azimuth=-20",
+                "--sun-elevation=-3", "--single"});
     expect_has(data_of(scene.page())["assets"][0]["pictures"][0]["caption"].get<std::string>(),
                {camera});
 }
@@ -321,27 +321,21 @@ fov = "40 deg"
 json first_picture(const Scene& scene) { return data_of(scene.page())["assets"][0]["pictures"][0]; }
 
 TEST(PreviewCommand, TakesWhatTheRecipeSaysOnPictures) {
-    const Scene scene;
-    write_bytes(scene.recipe, cloud_text);
-    ASSERT_EQ(
-        scene
-            .preview({scene.recipe, "--camera", "position=0.1km,200m,50m heading=1rad fov=40",
-                      "--size", "40x30", "--sun-azimuth=-20", "--sun-elevation=-3", "--single"})
-            .code,
-        0);
+    const Scene scene(cloud_text);
+    scene.show({scene.recipe, "--camera", "position=0.1km,200m,50m heading=1rad fov=40", "--size",
+                "40x30", "--sun-azimuth=-20", "--sun-elevation=-3", "--single"});
     const json by_options = first_picture(scene);
     const std::string png = read_bytes(scene.out + "/c_lit_sun_minus_3.png");
     fs::remove_all(scene.out);
     // A folder has what its recipe said.
     write_bytes(scene.recipe, std::string(cloud_text) + preview_text);
     scene.bake();
-    ASSERT_EQ(scene.preview({scene.baked}).code, 0);
+    scene.show({scene.baked});
     EXPECT_EQ(first_picture(scene), by_options);
     EXPECT_EQ(read_bytes(scene.out + "/c_lit_sun_minus_3.png"), png);
 
     // The command line wins, key by key.
-    ASSERT_EQ(scene.preview({scene.recipe, "--camera", "heading=10", "--sun-elevation", "30"}).code,
-              0);
+    scene.show({scene.recipe, "--camera", "heading=10", "--sun-elevation", "30"});
     const json picture = first_picture(scene);
     EXPECT_EQ(picture["file"], "c_lit_sun_30.png");
     EXPECT_EQ(picture["width"], 40);
@@ -349,8 +343,7 @@ TEST(PreviewCommand, TakesWhatTheRecipeSaysOnPictures) {
 }
 
 TEST(PreviewCommand, SaysNothingThatChangesABake) {
-    const Scene scene;
-    write_bytes(scene.recipe, cloud_text);
+    const Scene scene(cloud_text);
     scene.bake();
     const json before = json::parse(read_bytes(scene.baked + "/manifest.json"));
     const std::string bytes = read_bytes(scene.baked + "/c.vdb");
@@ -366,26 +359,22 @@ TEST(PreviewCommand, SaysNothingThatChangesABake) {
 }
 
 TEST(PreviewCommand, PlacesTheSunAtATime) {
-    const Scene scene;
-    write_bytes(scene.recipe, cloud_text);
+    const Scene scene(cloud_text);
     const std::string preview =
         "[preview]\nsize = [40, 30]\nlatitude = '47.4 deg'\nlongitude = '8.5 deg'\n";
-    const Result result = scene.preview({scene.recipe, "--at", "2026-06-21 18:30 +02:00", "--place",
-                                         "47.4,8.5", "--size", "40x30"});
-    ASSERT_EQ(result.code, 0) << result.error;
+    scene.show({scene.recipe, "--at", "2026-06-21 18:30 +02:00", "--place", "47.4,8.5", "--size",
+                "40x30"});
     const json by_options = first_picture(scene);
     EXPECT_EQ(by_options["file"], "c_lit_sun_26_61.png");
     EXPECT_TRUE(contains(data_of(scene.page())["notes"].dump(), "2026-06-21 16:30 UTC"));
     write_bytes(scene.recipe, cloud_text + preview);
-    ASSERT_EQ(scene.preview({scene.recipe, "--at", "2026-06-21 16:30Z"}).code, 0);
+    scene.show({scene.recipe, "--at", "2026-06-21 16:30Z"});
     EXPECT_EQ(first_picture(scene), by_options);
 }
 
 TEST(PreviewCommand, TurnsACloud) {
-    const Scene scene;
-    write_bytes(scene.recipe, cloud_text);
-    const Result result = scene.preview({scene.recipe, "--turntable", "6", "--size", "40x30"});
-    ASSERT_EQ(result.code, 0) << result.error;
+    const Scene scene(cloud_text);
+    scene.show({scene.recipe, "--turntable", "6", "--size", "40x30"});
     const std::string html = scene.page();
     const json pictures = data_of(html)["assets"][0]["pictures"];
     std::set<std::string> different;
@@ -412,8 +401,8 @@ TEST(PreviewCommand, LeavesAlonePagesOfOthers) {
     write_bytes(scene.out + "/index.html", "<h1>My holidays</h1>");
     EXPECT_EQ(scene.preview({scene.recipe, "--only", "volume"}).code, 3);
     EXPECT_EQ(scene.page(), "<h1>My holidays</h1>");
-    EXPECT_EQ(scene.preview({scene.recipe, "--only", "volume", "--force"}).code, 0);
-    EXPECT_EQ(scene.preview({scene.recipe, "--only", "volume"}).code, 0);
+    scene.show({scene.recipe, "--only", "volume", "--force"});
+    scene.show({scene.recipe, "--only", "volume"});
     EXPECT_EQ(data_of(scene.page())["assets"].size(), 1u);
     // A picture of a name that this page has not made.
     write_bytes(scene.out + "/transmittance_red.png", "mine");
@@ -422,17 +411,10 @@ TEST(PreviewCommand, LeavesAlonePagesOfOthers) {
 }
 
 TEST(PreviewCommand, ShowsTheSkyForTheSunsThatAreAskedFor) {
-    const Scene scene;
-    write_bytes(scene.recipe,
-                "preset = \"earth_hillaire\"\n[bake.transmittance]\nsize = [64, 16]\n"
-                "[bake.multiple_scattering]\nmethod = \"converged\"\nmapping = \"hillaire\"\n"
-                "size = [16, 16]\n");
+    const Scene scene(sky_text);
     scene.bake();
-    ASSERT_EQ(scene
-                  .preview({scene.baked, "--sun-elevation", "30 deg,5", "--altitude", "2km",
-                            "--exposure", "4"})
-                  .code,
-              0);
+    scene.show(
+        {scene.baked, "--sun-elevation", "30 deg,5", "--altitude", "2km", "--exposure", "4"});
     const json scenes = data_of(scene.page())["scenes"];
     ASSERT_EQ(scenes.size(), 1u);
     const std::string told = scenes.dump();
@@ -464,12 +446,12 @@ TEST(PreviewCommand, NeedsNoIncludeOnceItIsBaked) {
                 "[bake.multiple_scattering]\nmethod = \"converged\"\nmapping = \"hillaire\"\n"
                 "size = [16, 16]\n");
     scene.bake();
-    ASSERT_EQ(scene.preview({scene.baked, "--sun-elevation", "30"}).code, 0);
+    scene.show({scene.baked, "--sun-elevation", "30"});
     const json before = data_of(scene.page());
     const std::string moved = (scene.folder / "moved").string();
     fs::rename(scene.baked, moved);
     write_bytes(moved + "/air.toml", "preset = \"mars\"\n");
-    ASSERT_EQ(scene.preview({moved, "--sun-elevation", "30"}).code, 0);
+    scene.show({moved, "--sun-elevation", "30"});
     EXPECT_EQ(data_of(scene.page())["scenes"], before["scenes"]);
     EXPECT_EQ(before["scenes"].size(), 1u);
     EXPECT_TRUE(data_of(scene.page())["notes"].empty());
@@ -477,17 +459,12 @@ TEST(PreviewCommand, NeedsNoIncludeOnceItIsBaked) {
 
 // The first variant's exposure is that of all.
 TEST(PreviewCommand, ASweepOfSkiesHasOneExposure) {
-    const Scene scene;
+    const Scene scene(sky_text);
     const std::string sweep = (scene.folder / "sweep").string();
-    write_bytes(scene.recipe,
-                "preset = \"earth_hillaire\"\n[bake.transmittance]\nsize = [64, 16]\n"
-                "[bake.multiple_scattering]\nmethod = \"converged\"\nmapping = \"hillaire\"\n"
-                "size = [16, 16]\n");
-    ASSERT_EQ(
-        run_words({"sweep", scene.recipe, "--vary", "atmosphere.ground_albedo=0,0.9", "-o", sweep})
-            .code,
-        0);
-    ASSERT_EQ(scene.preview({sweep, "--sun-elevation", "25"}).code, 0);
+    expect_said(
+        run_words({"sweep", scene.recipe, "--vary", "atmosphere.ground_albedo=0,0.9", "-o", sweep}),
+        0, {});
+    scene.show({sweep, "--sun-elevation", "25"});
     const std::string caption = data_of(scene.page())["tables"][0]["pictures"][0]["caption"];
     expect_has(caption, {"They all have exposure ", "the sun 25 degrees above the horizon"});
 }
@@ -495,12 +472,10 @@ TEST(PreviewCommand, ASweepOfSkiesHasOneExposure) {
 TEST(PreviewCommand, ASweepGetsAContactSheetAndATable) {
     const Scene scene;
     const std::string sweep = (scene.folder / "sweep").string();
-    ASSERT_EQ(run_words({"sweep", scene.recipe, "--vary", "noise.n.seed=2,10", "--vary",
-                         "atmosphere.layers.mie.scale_height=1.2 km,800 m", "-o", sweep})
-                  .code,
-              0);
-    const Result result = scene.preview({sweep});
-    ASSERT_EQ(result.code, 0) << result.error;
+    expect_said(run_words({"sweep", scene.recipe, "--vary", "noise.n.seed=2,10", "--vary",
+                           "atmosphere.layers.mie.scale_height=1.2 km,800 m", "-o", sweep}),
+                0, {});
+    scene.show({sweep});
     EXPECT_TRUE(fs::exists(scene.out + "/contact_sheet.png"));
     const json table = data_of(scene.page())["tables"][0];
     ASSERT_EQ(table["rows"].size(), 4u);
@@ -523,8 +498,7 @@ TEST(PreviewCommand, ASweepGetsAContactSheetAndATable) {
 
     // A folder that is gone costs its picture, a damaged index everything.
     fs::remove_all(sweep + "/" + "0003_seed=10_scale_height=800m");
-    const Result partial = scene.preview({sweep});
-    EXPECT_EQ(partial.code, 0) << partial.error;
+    scene.show({sweep});
     EXPECT_EQ(data_of(scene.page())["notes"].size(), 1u);
     json index = json::parse(read_bytes(sweep + "/sweep.json"));
     index["variants"][0]["name"] = "../elsewhere";
@@ -535,16 +509,15 @@ TEST(PreviewCommand, ASweepGetsAContactSheetAndATable) {
 TEST(PreviewCommand, AReportThatLiesThereIsShown) {
     const Scene scene;
     scene.bake();
-    ASSERT_EQ(run_words({"report", scene.recipe, "--quick", "--only", "transmittance", "-q", "-o",
-                         scene.baked + "/report"})
-                  .code,
-              0);
-    ASSERT_EQ(scene.preview({scene.baked}).code, 0);
+    expect_said(run_words({"report", scene.recipe, "--quick", "--only", "transmittance", "-q", "-o",
+                           scene.baked + "/report"}),
+                0, {});
+    scene.show({scene.baked});
     const json pictures = data_of(scene.page())["assets"][0]["pictures"];
     EXPECT_EQ(pictures.back()["file"], "transmittance_report.svg");
     EXPECT_GT(pictures.back()["width"], 100);
     write_bytes(scene.baked + "/report/transmittance.svg", "<svg onload='alert(1)'/>");
-    ASSERT_EQ(scene.preview({scene.baked}).code, 0);
+    scene.show({scene.baked});
     EXPECT_EQ(data_of(scene.page())["assets"][0]["pictures"].size() + 1, pictures.size());
 }
 

@@ -282,25 +282,21 @@ TEST(CloudLight, AllDensityIsAroundTheNearestPlace) {
     const CloudLayer layer = test::rough_layer({12, 6, 5});
     const PlaceGrid places = place_grid(layer.size, 2, false);
     std::vector<double> sums(occupancy::count_of(places.count));
-    for (int z = 0; z < layer.size[2]; ++z) {
-        for (int y = 0; y < layer.size[1]; ++y) {
-            for (int x = 0; x < layer.size[0]; ++x) {
-                const glm::dvec3 voxel(x + 0.5, y + 0.5, z + 0.5);
-                std::array<int, 3> nearest{};
-                for (std::size_t a = 0; a < 3; ++a) {
-                    const auto distance = [&](int i) {
-                        const auto at = static_cast<glm::length_t>(a);
-                        return std::fabs(places.place(i, i, i)[at] - voxel[at]);
-                    };
-                    for (int i = 1; i < places.count[a]; ++i) {
-                        if (distance(i) < distance(nearest[a])) nearest[a] = i;
-                    }
-                }
-                sums[occupancy::index_of(places.count, nearest[0], nearest[1], nearest[2])] +=
-                    double{layer.value(x, y, z)};
+    testing::for_each_voxel(layer.size, [&](int x, int y, int z) {
+        const glm::dvec3 voxel(x + 0.5, y + 0.5, z + 0.5);
+        std::array<int, 3> nearest{};
+        for (std::size_t a = 0; a < 3; ++a) {
+            const auto distance = [&](int i) {
+                const auto at = static_cast<glm::length_t>(a);
+                return std::fabs(places.place(i, i, i)[at] - voxel[at]);
+            };
+            for (int i = 1; i < places.count[a]; ++i) {
+                if (distance(i) < distance(nearest[a])) nearest[a] = i;
             }
         }
-    }
+        sums[occupancy::index_of(places.count, nearest[0], nearest[1], nearest[2])] +=
+            double{layer.value(x, y, z)};
+    });
     const std::vector<float> found = density_around(layer, places, 2);
     for (std::size_t i = 0; i < sums.size(); ++i) EXPECT_NEAR(found[i], sums[i], 1e-5) << i;
 }

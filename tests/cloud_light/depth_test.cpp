@@ -13,6 +13,7 @@
 #include "config/assets/cloud_light.h"
 #include "tests/cloud_light/layers.h"
 #include "tests/noise/every_target.h"
+#include "tests/support/loops.h"
 
 namespace skybake::cloud_light {
 namespace {
@@ -61,9 +62,8 @@ TEST(DepthReference, OfASingleVoxelIsItsHat) {
 // Along z lookups are clamped: the outermost half voxels have the value of the outermost centres.
 TEST(DepthReference, TheOutermostHalfVoxelsAreUniform) {
     CloudLayer layer = layer_of({2, 2, 4}, 0);
-    for (int y = 0; y < 2; ++y) {
-        for (int x = 0; x < 2; ++x) layer.values[occupancy::index_of(layer.size, x, y, 3)] = 1;
-    }
+    testing::for_each_texel(
+        2, 2, [&](int x, int y) { layer.values[occupancy::index_of(layer.size, x, y, 3)] = 1; });
     EXPECT_NEAR(optical_depth_reference(layer, {1, 1, 3.5}, {0, 0, 1}), 0.05 * 8 / 2, 1e-12);
     EXPECT_NEAR(optical_depth_reference(layer, {1, 1, 0}, {0, 0, 1}), 0.05 * 8, 1e-12);
 }

@@ -203,13 +203,11 @@ TEST(Radiance, IsTheSumOfAllOrders) {
         LayerCells cells{CellFields(one.layer.size, 1), one.layer.voxel_m};
         CellFields first(one.layer.size, 4);
         for_each_plane(first, on(1), [&](int z) {
-            for (int y = 0; y < first.size()[1]; ++y) {
-                for (int x = 0; x < first.size()[0]; ++x) {
-                    cells.extinction.row(0, z, y)[x] =
-                        static_cast<float>(one.extinction_per_m) * one.layer.value(x, y, z);
-                    first.row(0, z, y)[x] = static_cast<float>(z + 1);
-                }
-            }
+            testing::for_each_texel(first.size()[0], first.size()[1], [&](int x, int y) {
+                cells.extinction.row(0, z, y)[x] =
+                    static_cast<float>(one.extinction_per_m) * one.layer.value(x, y, z);
+                first.row(0, z, y)[x] = static_cast<float>(z + 1);
+            });
         });
         const std::vector<double> returned = {1, 0.7};
         const RadianceLevels levels(cells, returned, on(1));

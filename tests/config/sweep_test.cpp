@@ -10,6 +10,7 @@
 #include <set>
 
 #include "tests/config/recipes.h"
+#include "tests/support/outcomes.h"
 
 namespace skybake::config {
 namespace {
@@ -175,10 +176,9 @@ TEST(Sweep, ValuesOutOfRangeAreForTheVariants) {
     const TemporaryFolder folder;
     const auto path =
         folder.write("r.toml", clouds + "[sweep]\n'clouds.c.coverage' = [0.5, 1.5]\n");
-    const auto sweep = load_sweep(path, {}, {});
-    ASSERT_TRUE(sweep.value);
-    EXPECT_TRUE(load_variant(path, {}, *sweep.value, 0).value);
-    const auto second = load_variant(path, {}, *sweep.value, 1);
+    const auto sweep = test::without_errors(load_sweep(path, {}, {}));
+    EXPECT_TRUE(load_variant(path, {}, sweep, 0).value);
+    const auto second = load_variant(path, {}, sweep, 1);
     EXPECT_FALSE(second.value);
     ASSERT_EQ(second.diagnostics.size(), 1u);
     EXPECT_EQ(second.diagnostics[0].code, "E0110");
@@ -208,12 +208,11 @@ TEST(Sweep, TheCommandLineVariesToo) {
     options.vary = {"clouds.c.coverage=0.2:0.8:4", "noise.n.seed=1,2,3",
                     "clouds.c.base_altitude=1 km:100km:3:log", "bake.v.size=[8,8,4],[16,16,8]",
                     "clouds.c.threshold=[0.1, 0.2]"};
-    const auto sweep = varied(clouds, options);
-    ASSERT_TRUE(sweep.value);
-    EXPECT_EQ(variant_count(*sweep.value), 4 * 3 * 3 * 2 * 2);
-    EXPECT_EQ(values_of(*sweep.value, 0), (Strings{"0.2", "0.4", "0.6", "0.8"}));
-    EXPECT_EQ(values_of(*sweep.value, 2), (Strings{"1 km", "10 km", "100km"}));
-    EXPECT_EQ(values_of(*sweep.value, 3), (Strings{"[8, 8, 4]", "[16, 16, 8]"}));
+    const auto sweep = test::without_errors(varied(clouds, options));
+    EXPECT_EQ(variant_count(sweep), 4 * 3 * 3 * 2 * 2);
+    EXPECT_EQ(values_of(sweep, 0), (Strings{"0.2", "0.4", "0.6", "0.8"}));
+    EXPECT_EQ(values_of(sweep, 2), (Strings{"1 km", "10 km", "100km"}));
+    EXPECT_EQ(values_of(sweep, 3), (Strings{"[8, 8, 4]", "[16, 16, 8]"}));
 }
 
 // A number that is too large is a count at fault, not the name of a scale.
@@ -234,14 +233,12 @@ TEST(Sweep, AnOptionReplacesTheRecipesEntry) {
     const std::string recipe = clouds +
                                "[sweep]\n'clouds.c.coverage' = { from = 0.1, to = 0.4, count = 4, "
                                "scale = 'log' }\n'noise.n.seed' = [1, 2]\n";
-    const auto listed = varied(recipe, options);
-    ASSERT_TRUE(listed.value);
-    EXPECT_EQ(swept_paths(*listed.value), (Strings{"noise.n.seed", "clouds.c.coverage"}));
-    EXPECT_EQ(values_of(*listed.value, 1), (Strings{"0.5", "0.6"}));
+    const auto listed = test::without_errors(varied(recipe, options));
+    EXPECT_EQ(swept_paths(listed), (Strings{"noise.n.seed", "clouds.c.coverage"}));
+    EXPECT_EQ(values_of(listed, 1), (Strings{"0.5", "0.6"}));
     options.vary = {"clouds.c.coverage=0:1:3"};
-    const auto ranged = varied(recipe, options);
-    ASSERT_TRUE(ranged.value);
-    EXPECT_EQ(values_of(*ranged.value, 1), (Strings{"0", "0.5", "1"}));
+    const auto ranged = test::without_errors(varied(recipe, options));
+    EXPECT_EQ(values_of(ranged, 1), (Strings{"0", "0.5", "1"}));
 }
 
 TEST(Sweep, OptionsZipAndSetPoints) {
@@ -249,9 +246,8 @@ TEST(Sweep, OptionsZipAndSetPoints) {
     options.vary = {"clouds.c.coverage=0.5,0.6", "noise.n.seed=1,2", "clouds.c.threshold=0:0.5"};
     options.zip = {"clouds.c.coverage,noise.n.seed"};
     options.sobol = "4";
-    const auto sweep = varied(clouds, options);
-    ASSERT_TRUE(sweep.value);
-    EXPECT_EQ(variant_count(*sweep.value), 8);
+    const auto sweep = test::without_errors(varied(clouds, options));
+    EXPECT_EQ(variant_count(sweep), 8);
 }
 
 TEST(Sweep, MalformedOptionsAreRefused) {
@@ -294,13 +290,13 @@ TEST(Sweep, AVariantIsTheRecipeWithItsValues) {
     EXPECT_FALSE(sweep.value && load_variant(path, settings, *sweep.value, 0).value)
         << "names of clouds are bare keys";
     options.vary = {"clouds.c.coverage=0.25,0.75"};
-    const auto plain = load_sweep(folder.write("s.toml", clouds), settings, options);
-    ASSERT_TRUE(plain.value);
-    const auto variant = load_variant(folder.path() / "s.toml", settings, *plain.value, 1);
-    ASSERT_TRUE(variant.value);
-    EXPECT_EQ(variant.value->parameters.clouds.at(0).coverage, 0.75);
-    EXPECT_EQ(variant.value->parameters.noises.at(0).seed, 9u);
-    EXPECT_TRUE(variant.value->sweep_values.empty());
+    const auto plain =
+        test::without_errors(load_sweep(folder.write("s.toml", clouds), settings, options));
+    const auto variant =
+        test::without_errors(load_variant(folder.path() / "s.toml", settings, plain, 1));
+    EXPECT_EQ(variant.parameters.clouds.at(0).coverage, 0.75);
+    EXPECT_EQ(variant.parameters.noises.at(0).seed, 9u);
+    EXPECT_TRUE(variant.sweep_values.empty());
 }
 
 }  // namespace

@@ -121,15 +121,13 @@ TEST(EnvironmentClouds, TexelsAreMeansOfTheirSolidAngle) {
     double squares = 0;
     double transmitted = 0;
     double expected = 0;
-    for (int y = 0; y < 10; ++y) {
-        for (int x = 0; x < 48; ++x) {
-            const SeenClouds texel = clouds.texel(0, x, y);
-            const SeenClouds around = clouds.around(0, (x + 0.5) / 48, (y + 0.5) / 24);
-            squares += std::pow(texel.transmittance - around.transmittance, 2);
-            transmitted += texel.transmittance * layout.solid_angle(0, x, y);
-            expected += around.transmittance * layout.solid_angle(0, x, y);
-        }
-    }
+    testing::for_each_texel(48, 10, [&](int x, int y) {
+        const SeenClouds texel = clouds.texel(0, x, y);
+        const SeenClouds around = clouds.around(0, (x + 0.5) / 48, (y + 0.5) / 24);
+        squares += std::pow(texel.transmittance - around.transmittance, 2);
+        transmitted += texel.transmittance * layout.solid_angle(0, x, y);
+        expected += around.transmittance * layout.solid_angle(0, x, y);
+    });
     EXPECT_LT(std::sqrt(squares / 480), 0.02);
     EXPECT_NEAR(transmitted / expected, 1, 5e-3);
 }

@@ -12,6 +12,7 @@
 #include "tests/environment/maps.h"
 #include "tests/light/sky_media.h"
 #include "tests/support/air_ray.h"
+#include "tests/support/loops.h"
 #include "tests/support/outcomes.h"
 
 namespace skybake {
@@ -128,12 +129,10 @@ TEST(EnvironmentMap, TurnsWithTheSun) {
         return best;
     };
     EXPECT_NEAR(brightest(after), 48, 1) << "the sun is to the right";
-    for (int y = 0; y < 32; ++y) {
-        for (int x = 0; x < 64; ++x) {
-            EXPECT_NEAR(after.texel((x + 16) % 64, y)[1], before.texel(x, y)[1],
-                        1e-6 * before.texel(x, y)[1] + 1e-12);
-        }
-    }
+    testing::for_each_texel(64, 32, [&](int x, int y) {
+        EXPECT_NEAR(after.texel((x + 16) % 64, y)[1], before.texel(x, y)[1],
+                    1e-6 * before.texel(x, y)[1] + 1e-12);
+    });
     // A turn by a right angle takes ahead to right: Y_1,-1 (ahead) becomes Y_1,1 (right).
     const EnvironmentLayout layout(ahead.mapping, ahead.size);
     const auto from = harmonics_of(before, layout)[0];
@@ -374,12 +373,10 @@ TEST(EnvironmentMap, TheDiscIsSymmetric) {
         EnvironmentBake bake = bake_of(EnvironmentMapping::longitude_latitude, {512, 256}, sun);
         bake.sun = config::SunInMap::disc;
         const Image2<float> map = baked(earth().light(), bake).image();
-        for (int y = 0; y < 256; ++y) {
-            for (int x = 0; x < 256; ++x) {
-                const float right = map.texel(511 - x, y)[0];
-                EXPECT_NEAR(map.texel(x, y)[0], right, 1e-6F * right) << x << " " << y;
-            }
-        }
+        testing::for_each_texel(256, 256, [&](int x, int y) {
+            const float right = map.texel(511 - x, y)[0];
+            EXPECT_NEAR(map.texel(x, y)[0], right, 1e-6F * right) << x << " " << y;
+        });
     }
 }
 
@@ -441,9 +438,8 @@ TEST(EnvironmentMap, TheDiscIsEvenAndInItsTexel) {
     EXPECT_NEAR(squares / static_cast<double>(points.size()) / (radius * radius), 0.5, 1e-3);
     Image2<double> map(36, 18, 3);
     add_sun_points(points, {bake.mapping, bake.size}, map);
-    for (int y = 0; y < 18; ++y) {
-        for (int x = 0; x < 36; ++x) EXPECT_EQ(map.texel(x, y)[1] > 0, x == 6 && y == 4);
-    }
+    testing::for_each_texel(
+        36, 18, [&](int x, int y) { EXPECT_EQ(map.texel(x, y)[1] > 0, x == 6 && y == 4); });
 }
 
 }  // namespace

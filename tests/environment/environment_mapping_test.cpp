@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/environment/maps.h"
+#include "tests/support/loops.h"
 
 namespace skybake {
 namespace {
@@ -31,30 +32,26 @@ TEST(EnvironmentMapping, SolidAnglesOfTexelsAreThoseOfTheirPatches) {
         const EnvironmentLayout layout = layout_of(of);
         const auto [columns, rows] = layout.part_size();
         double sum = 0;
-        for (int part = 0; part < layout.parts(); ++part) {
-            for (int y = 0; y < rows; ++y) {
-                for (int x = 0; x < columns; ++x) {
-                    const double found = layout.solid_angle(part, x, y);
-                    EXPECT_GT(found, 0);
-                    sum += found;
-                    constexpr int kPatches = 32;
-                    double patches = 0;
-                    for (int k = 0; k < kPatches * kPatches; ++k) {
-                        const double step = 1.0 / kPatches;
-                        const double left = (x + k % kPatches * step) / columns;
-                        const double top = (y + k / kPatches * step) / rows;
-                        const double right = left + step / columns;
-                        const double bottom = top + step / rows;
-                        const glm::dvec3 a = layout.direction(part, right, bottom) -
-                                             layout.direction(part, left, top);
-                        const glm::dvec3 b = layout.direction(part, left, bottom) -
-                                             layout.direction(part, right, top);
-                        patches += 0.5 * glm::length(glm::cross(a, b));
-                    }
-                    EXPECT_NEAR(patches / found, 1, 4e-3) << columns << " " << x << " " << y;
-                }
+        testing::for_each_voxel({columns, rows, layout.parts()}, [&](int x, int y, int part) {
+            const double found = layout.solid_angle(part, x, y);
+            EXPECT_GT(found, 0);
+            sum += found;
+            constexpr int kPatches = 32;
+            double patches = 0;
+            for (int k = 0; k < kPatches * kPatches; ++k) {
+                const double step = 1.0 / kPatches;
+                const double left = (x + k % kPatches * step) / columns;
+                const double top = (y + k / kPatches * step) / rows;
+                const double right = left + step / columns;
+                const double bottom = top + step / rows;
+                const glm::dvec3 a =
+                    layout.direction(part, right, bottom) - layout.direction(part, left, top);
+                const glm::dvec3 b =
+                    layout.direction(part, left, bottom) - layout.direction(part, right, top);
+                patches += 0.5 * glm::length(glm::cross(a, b));
             }
-        }
+            EXPECT_NEAR(patches / found, 1, 4e-3) << columns << " " << x << " " << y;
+        });
         EXPECT_NEAR(sum, 4 * kPi, 1e-9);
     }
 }

@@ -15,6 +15,7 @@
 #include "bakers/field/image.h"
 #include "config/assets/environment.h"
 #include "tests/light/sky_media.h"
+#include "tests/support/loops.h"
 #include "tests/support/outcomes.h"
 
 namespace skybake::test {
@@ -57,14 +58,10 @@ inline std::vector<glm::dvec3> even_directions(int count) {
 template <class Map, class Visit>
 void for_texels(Map& map, const EnvironmentLayout& layout, const Visit& visit) {
     const auto [columns, rows] = layout.part_size();
-    for (int part = 0; part < layout.parts(); ++part) {
-        for (int y = 0; y < rows; ++y) {
-            for (int x = 0; x < columns; ++x) {
-                visit(layout.direction(part, (x + 0.5) / columns, (y + 0.5) / rows),
-                      layout.solid_angle(part, x, y), map.texel(x, part * rows + y));
-            }
-        }
-    }
+    testing::for_each_voxel({columns, rows, layout.parts()}, [&](int x, int y, int part) {
+        visit(layout.direction(part, (x + 0.5) / columns, (y + 0.5) / rows),
+              layout.solid_angle(part, x, y), map.texel(x, part * rows + y));
+    });
 }
 
 // The map of one channel whose texels are a function of their directions.

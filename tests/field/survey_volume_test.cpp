@@ -33,32 +33,28 @@ Level by_hand(const Baked& volume, const Ranges& ranges) {
         result.statistics[c].max = -std::numeric_limits<double>::infinity();
         result.statistics[c].histogram.assign(kHistogramBins, 0);
     }
-    for (int z = 0; z < level.size[2]; ++z) {
-        for (int y = 0; y < level.size[1]; ++y) {
-            for (int x = 0; x < level.size[0]; ++x) {
-                std::vector<float> voxel(channels);
-                std::vector<float*> out;
-                for (float& value : voxel) out.push_back(&value);
-                level.voxels->fill({{x, y, z}, {1, 1, 1}}, out);
-                for (std::size_t c = 0; c < channels; ++c) {
-                    const double value = round_to_pixel_type(voxel[c], volume.pixel_type);
-                    ValueStatistics& statistics = result.statistics[c];
-                    statistics.min = std::min(statistics.min, value);
-                    statistics.max = std::max(statistics.max, value);
-                    statistics.mean += value;
-                    const double place =
-                        (value - ranges[c][0]) / (ranges[c][1] - ranges[c][0]) * kHistogramBins;
-                    if (place < 0 || place > kHistogramBins) continue;
-                    ++statistics.histogram[std::min<std::size_t>(static_cast<std::size_t>(place),
-                                                                 kHistogramBins - 1)];
-                }
-                std::string piece(
-                    channels * static_cast<std::size_t>(bytes_per_value(volume.pixel_type)), '\0');
-                store_values(voxel.data(), channels, volume.pixel_type, piece.data());
-                bytes += piece;
-            }
+    testing::for_each_voxel(level.size, [&](int x, int y, int z) {
+        std::vector<float> voxel(channels);
+        std::vector<float*> out;
+        for (float& value : voxel) out.push_back(&value);
+        level.voxels->fill({{x, y, z}, {1, 1, 1}}, out);
+        for (std::size_t c = 0; c < channels; ++c) {
+            const double value = round_to_pixel_type(voxel[c], volume.pixel_type);
+            ValueStatistics& statistics = result.statistics[c];
+            statistics.min = std::min(statistics.min, value);
+            statistics.max = std::max(statistics.max, value);
+            statistics.mean += value;
+            const double place =
+                (value - ranges[c][0]) / (ranges[c][1] - ranges[c][0]) * kHistogramBins;
+            if (place < 0 || place > kHistogramBins) continue;
+            ++statistics.histogram[std::min<std::size_t>(static_cast<std::size_t>(place),
+                                                         kHistogramBins - 1)];
         }
-    }
+        std::string piece(channels * static_cast<std::size_t>(bytes_per_value(volume.pixel_type)),
+                          '\0');
+        store_values(voxel.data(), channels, volume.pixel_type, piece.data());
+        bytes += piece;
+    });
     for (ValueStatistics& statistics : result.statistics) {
         statistics.mean /= static_cast<double>(VoxelBox{{}, level.size}.count());
     }

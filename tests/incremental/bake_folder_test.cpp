@@ -10,6 +10,7 @@
 #include "bakers/io/files/output_folder.h"
 #include "bakers/workspace/asset_cache.h"
 #include "tests/incremental/bakes.h"
+#include "tests/support/outcomes.h"
 
 namespace skybake {
 namespace {
@@ -302,10 +303,9 @@ TEST(BakeFolder, WhatARecipeNoLongerAsksForStaysAndMayComeBack) {
     const TemporaryFolder folder;
     EXPECT_TRUE(TestBake(recipe_of(small_recipe), folder / "out").run().value);
     TestBake less(recipe_of(small_recipe, {}, {"bake.shape.formats=exr"}), folder / "out");
-    const auto first = less.run();
-    ASSERT_TRUE(first.value.has_value());
-    ASSERT_EQ(first.value->retired.size(), 1U);
-    EXPECT_EQ(first.value->retired[0].path, "shape.bin");
+    const auto first = test::without_errors(less.run());
+    ASSERT_EQ(first.retired.size(), 1U);
+    EXPECT_EQ(first.retired[0].path, "shape.bin");
     EXPECT_TRUE(fs::exists(folder / "out/shape.bin"));
     EXPECT_EQ(less.run().value->manifest, WriteResult::unchanged);
     const auto back = TestBake(recipe_of(small_recipe), folder / "out").run();
@@ -367,11 +367,9 @@ TEST(BakeFolder, PruningRemovesRetiredFiles) {
     ASSERT_TRUE(plan.value.has_value());
     EXPECT_EQ(paths_of(plan.value->pruned), (std::vector<std::string>{"shape.exr", "shape.bin"}));
     EXPECT_TRUE(scene.has("shape.exr"));  // a plan changes nothing
-    const auto outcome = scene.less.run();
-    ASSERT_TRUE(outcome.value.has_value());
-    EXPECT_EQ(paths_of(outcome.value->pruned),
-              (std::vector<std::string>{"shape.exr", "shape.bin"}));
-    EXPECT_TRUE(outcome.value->retired.empty());
+    const auto outcome = test::without_errors(scene.less.run());
+    EXPECT_EQ(paths_of(outcome.pruned), (std::vector<std::string>{"shape.exr", "shape.bin"}));
+    EXPECT_TRUE(outcome.retired.empty());
     EXPECT_FALSE(scene.has("shape.exr") || scene.has("shape.bin"));
     EXPECT_TRUE(scene.has("transmittance.exr"));
     EXPECT_TRUE(read_manifest(scene.folder / "out").value->retired.empty());
@@ -384,11 +382,9 @@ TEST(BakeFolder, PruningKeepsWhatWasChangedByHand) {
     fs::rename(scene.folder / "out/shape.exr", elsewhere);
     fs::create_symlink(elsewhere, scene.folder / "out/shape.exr");
     write_bytes(scene.folder / "out/mine.bin", "mine");
-    const auto outcome = scene.less.run();
-    ASSERT_TRUE(outcome.value.has_value());
-    EXPECT_TRUE(outcome.value->pruned.empty());
-    EXPECT_EQ(paths_of(outcome.value->retired),
-              (std::vector<std::string>{"shape.exr", "shape.bin"}));
+    const auto outcome = test::without_errors(scene.less.run());
+    EXPECT_TRUE(outcome.pruned.empty());
+    EXPECT_EQ(paths_of(outcome.retired), (std::vector<std::string>{"shape.exr", "shape.bin"}));
     EXPECT_TRUE(scene.has("shape.exr") && scene.has("shape.bin") && scene.has("mine.bin"));
     EXPECT_TRUE(fs::exists(elsewhere));
 }
@@ -397,9 +393,8 @@ TEST(BakeFolder, PruningKeepsWhatWasChangedByHand) {
 TEST(BakeFolder, PruningAPartRemovesNothingElse) {
     WithoutNoise scene;
     scene.less.bake.bakes = {scene.less.recipe.parameters.bakes[0]};
-    const auto outcome = scene.less.run();
-    ASSERT_TRUE(outcome.value.has_value());
-    EXPECT_TRUE(outcome.value->pruned.empty());
+    const auto outcome = test::without_errors(scene.less.run());
+    EXPECT_TRUE(outcome.pruned.empty());
     EXPECT_TRUE(scene.has("shape.exr") && scene.has("depth.exr"));
 }
 
@@ -450,9 +445,8 @@ TEST(BakeFolder, BooksTheTimeOfEachPart) {
 TEST(BakeFolder, BooksCertificatesApart) {
     const TemporaryFolder folder;
     TestBake bake(recipe_of(two_tables), folder / "out");
-    const auto outcome = bake.run();
-    ASSERT_TRUE(outcome.value.has_value());
-    for (const FinishedAsset& asset : outcome.value->assets) {
+    const auto outcome = test::without_errors(bake.run());
+    for (const FinishedAsset& asset : outcome.assets) {
         EXPECT_GT(asset.entry.timing.bake.certificate, 0);
         EXPECT_GT(asset.entry.timing.bake.texels, 0);
     }

@@ -2,21 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <sched.h>
-#include <sys/mount.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <chrono>
-#include <csignal>
 
 #include "bakers/io/files/output_folder.h"
 #include "bakers/io/manifest/metadata.h"
 #include "bakers/math/hash.h"
 #include "config/assets/noise_volume.h"
 #include "config/assets/transmittance.h"
-#include "tests/io/files.h"
+#include "tests/io/small_disks.h"
 #include "tests/support/cancelled_at.h"
 
 namespace skybake {
@@ -26,8 +19,6 @@ namespace fs = std::filesystem;
 using config::FileFormat;
 using testing::sample_volume;
 using Names = std::vector<std::string>;
-
-constexpr int not_permitted = 77;
 
 TEST(WriteVolume, MakesAFileForEachFormatAndLevel) {
     const TemporaryFolder folder;
@@ -120,34 +111,23 @@ std::string failure_of(const TemporaryFolder& folder) {
 TEST(WriteVolume, ASizeLimitIsReportedAndNothingStays) {
     const TemporaryFolder folder;
     testing::write_bytes(folder / "shape.bin", "old");
-    const int status = in_child([&folder] {
-        std::signal(SIGXFSZ, SIG_IGN);
-        const rlimit limit{1 << 20, 1 << 20};
-        ::setrlimit(RLIMIT_FSIZE, &limit);
-        const std::string wanted =
-            fmt::format("E0301 cannot write `{}`: File too large", (folder / "shape.bin").string());
-        return failure_of(folder) == wanted ? 0 : 1;
-    });
-    EXPECT_EQ(status, 0);
+    {
+        const testing::LargestFile limit(1 << 20);
+        EXPECT_EQ(failure_of(folder), fmt::format("E0301 cannot write `{}`: File too large",
+                                                  (folder / "shape.bin").string()));
+    }
     EXPECT_EQ(read_bytes(folder / "shape.bin"), "old");
     EXPECT_EQ(folder.names(), Names{"shape.bin"});
 }
 
 TEST(WriteVolume, AFullDiskIsReportedAndNothingStays) {
-    const TemporaryFolder folder;
-    const int status = in_child([&folder] {
-        const bool mounted = ::unshare(CLONE_NEWNS) == 0 &&
-                             ::mount("none", "/", nullptr, MS_REC | MS_PRIVATE, nullptr) == 0 &&
-                             ::mount("none", folder.path().c_str(), "tmpfs", 0, "size=3m") == 0;
-        if (!mounted) return not_permitted;
+    testing::expect_on_small_disk("3m", [](const TemporaryFolder& folder) {
         // The bare voxels fit, the image beside them does not.
         const std::string wanted = fmt::format("E0301 cannot write `{}`: No space left on device",
                                                (folder / "shape.exr").string());
         if (failure_of(folder) != wanted) return 1;
         return folder.names().empty() ? 0 : 2;
     });
-    if (status == not_permitted) GTEST_SKIP() << "mounting a small file system is not permitted";
-    EXPECT_EQ(status, 0);
 }
 
 TEST(WriteVolume, AnInterruptionLeavesNothing) {

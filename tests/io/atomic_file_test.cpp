@@ -1,10 +1,8 @@
 #include "bakers/io/files/atomic_file.h"
 
 #include <fcntl.h>
-#include <sched.h>
 #include <sys/file.h>
 #include <sys/mount.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -12,11 +10,10 @@
 #include <atomic>
 #include <chrono>
 #include <csignal>
-#include <functional>
 #include <thread>
 
 #include "bakers/io/files/file_io.h"
-#include "tests/io/files.h"
+#include "tests/io/small_disks.h"
 #include "tests/support/cancelled_at.h"
 
 namespace skybake {
@@ -84,6 +81,14 @@ TEST(AtomicFile, ReplacesSymbolicLinksAndNeverTheirTargets) {
     EXPECT_FALSE(fs::exists(folder / "far/absent"));
 }
 
+// A writer of these bytes, as a library would write them.
+FileWriter writer_of(const std::string& bytes, bool complete = true) {
+    return [bytes, complete](const fs::path& temporary) -> config::Outcome<bool> {
+        write_bytes(temporary, bytes);
+        return {complete, {}};
+    };
+}
+
 // The bytes of a writer are compared with the old file: not with what a link points to.
 TEST(AtomicFile, ALinkToTheSameBytesIsReplacedToo) {
     const TemporaryFolder folder;
@@ -92,11 +97,7 @@ TEST(AtomicFile, ALinkToTheSameBytesIsReplacedToo) {
         fs::remove(folder / "link");
         fs::create_symlink("file", folder / "link");
         AtomicFiles files;
-        const FileWriter write = [](const fs::path& temporary) -> config::Outcome<bool> {
-            write_bytes(temporary, "same");
-            return {true, {}};
-        };
-        const auto staged = by_writer ? files.stage(folder / "link", write)
+        const auto staged = by_writer ? files.stage(folder / "link", writer_of("same"))
                                       : files.stage(folder / "link", std::string_view("same"));
         EXPECT_EQ(staged.value, WriteResult::written);
         EXPECT_TRUE(files.commit().empty());
@@ -151,53 +152,36 @@ TEST(AtomicFile, ALongNameStillFits) {
               WriteResult::written);
 }
 
+// Whether the file is refused for this reason.
+bool is_refused(const fs::path& path, const std::string& text, std::string_view reason) {
+    const auto result = write_file_atomically(path, text);
+    return first_code(result.diagnostics) == "E0301" &&
+           result.diagnostics[0].message.find(reason) != std::string::npos;
+}
+
 TEST(AtomicFile, ASizeLimitIsReportedAndNothingStays) {
     const TemporaryFolder folder;
     write_bytes(folder / "a", "old");
-    const int status = in_child([&folder] {
-        std::signal(SIGXFSZ, SIG_IGN);
-        const rlimit limit{4096, 4096};
-        ::setrlimit(RLIMIT_FSIZE, &limit);
-        const auto result = write_file_atomically(folder / "a", std::string(100000, 'x'));
-        const bool told = first_code(result.diagnostics) == "E0301" &&
-                          result.diagnostics[0].message.find("File too large") != std::string::npos;
-        return told ? 0 : 1;
-    });
-    EXPECT_EQ(status, 0);
+    {
+        const testing::LargestFile limit(4096);
+        EXPECT_TRUE(is_refused(folder / "a", std::string(100000, 'x'), "File too large"));
+    }
     EXPECT_EQ(read_bytes(folder / "a"), "old");
     EXPECT_EQ(folder.names(), Names{"a"});
 }
 
-constexpr int not_permitted = 77;
-
-// Runs `body` with a file system of 64 KiB over the folder, which vanishes with the child.
-int on_small_disk(const TemporaryFolder& folder, const std::function<int()>& body) {
-    return in_child([&] {
-        const bool mounted = ::unshare(CLONE_NEWNS) == 0 &&
-                             ::mount("none", "/", nullptr, MS_REC | MS_PRIVATE, nullptr) == 0 &&
-                             ::mount("none", folder.path().c_str(), "tmpfs", 0, "size=64k") == 0;
-        return mounted ? body() : not_permitted;
-    });
-}
-
 TEST(AtomicFile, AFullDiskIsReportedAndNothingStays) {
-    const TemporaryFolder folder;
-    const int status = on_small_disk(folder, [&folder] {
+    testing::expect_on_small_disk("64k", [](const TemporaryFolder& folder) {
         write_bytes(folder / "a", "old");
-        const auto result = write_file_atomically(folder / "a", std::string(1000000, 'x'));
-        if (first_code(result.diagnostics) != "E0301") return 1;
-        if (result.diagnostics[0].message.find("No space left on device") == std::string::npos)
-            return 2;
-        if (read_bytes(folder / "a") != "old") return 3;
-        return folder.names() == Names{"a"} ? 0 : 4;
+        const std::string large(1000000, 'x');
+        if (!is_refused(folder / "a", large, "No space left on device")) return 1;
+        if (read_bytes(folder / "a") != "old") return 2;
+        return folder.names() == Names{"a"} ? 0 : 3;
     });
-    if (status == not_permitted) GTEST_SKIP() << "mounting a small file system is not permitted";
-    EXPECT_EQ(status, 0);
 }
 
 TEST(AtomicFile, AFullDiskLeavesAllFilesThatBelongTogether) {
-    const TemporaryFolder folder;
-    const int status = on_small_disk(folder, [&folder] {
+    testing::expect_on_small_disk("64k", [](const TemporaryFolder& folder) {
         write_bytes(folder / "a", "old");
         write_bytes(folder / "b", "old");
         AtomicFiles files;
@@ -206,8 +190,15 @@ TEST(AtomicFile, AFullDiskLeavesAllFilesThatBelongTogether) {
         if (files.stage(folder / "b", std::string(60000, 'x')).value) return 2;
         return read_bytes(folder / "a") == "old" && read_bytes(folder / "b") == "old" ? 0 : 3;
     });
-    if (status == not_permitted) GTEST_SKIP() << "mounting a small file system is not permitted";
-    EXPECT_EQ(status, 0);
+}
+
+TEST(AtomicFile, AReadOnlyDiskIsReported) {
+    testing::expect_on_small_disk("64k", [](const TemporaryFolder& folder) {
+        if (::mount("none", folder.path().c_str(), nullptr, MS_REMOUNT | MS_RDONLY, nullptr) != 0) {
+            return testing::not_permitted;
+        }
+        return is_refused(folder / "a", "x", "Read-only file system") ? 0 : 1;
+    });
 }
 
 TEST(AtomicFile, StagedFilesAppearTogetherOrNotAtAll) {
@@ -225,14 +216,6 @@ TEST(AtomicFile, StagedFilesAppearTogetherOrNotAtAll) {
     EXPECT_TRUE(files.commit().empty());
     EXPECT_EQ(folder.names(), (Names{"a", "b"}));
     EXPECT_EQ(read_bytes(folder / "a"), "1");
-}
-
-// A writer of these bytes, as a library would write them.
-FileWriter writer_of(const std::string& bytes, bool complete = true) {
-    return [bytes, complete](const fs::path& temporary) -> config::Outcome<bool> {
-        write_bytes(temporary, bytes);
-        return {complete, {}};
-    };
 }
 
 TEST(AtomicFile, TakesWhatAWriterWrites) {
@@ -291,21 +274,6 @@ TEST(AtomicFile, AWriterThatFailsLeavesNothing) {
     EXPECT_EQ(folder.names(), Names{"a"});
 }
 
-TEST(AtomicFile, AReadOnlyDiskIsReported) {
-    const TemporaryFolder folder;
-    const int status = on_small_disk(folder, [&folder] {
-        if (::mount("none", folder.path().c_str(), nullptr, MS_REMOUNT | MS_RDONLY, nullptr) != 0) {
-            return not_permitted;
-        }
-        const auto result = write_file_atomically(folder / "a", "x");
-        if (first_code(result.diagnostics) != "E0301") return 1;
-        return result.diagnostics[0].message.find("Read-only file system") == std::string::npos ? 2
-                                                                                                : 0;
-    });
-    if (status == not_permitted) GTEST_SKIP() << "mounting a small file system is not permitted";
-    EXPECT_EQ(status, 0);
-}
-
 TEST(AtomicFile, AFolderWithoutPermissionIsReported) {
     const TemporaryFolder folder;
     constexpr auto listed = fs::perms::owner_read | fs::perms::owner_exec | fs::perms::others_read |
@@ -314,13 +282,11 @@ TEST(AtomicFile, AFolderWithoutPermissionIsReported) {
     const int status = in_child([&folder] {
         constexpr uid_t nobody = 65534;
         if (::geteuid() == 0 && ::setuid(nobody) != 0)
-            return not_permitted;  // root may write anywhere
-        const auto result = write_file_atomically(folder / "a", "x");
-        if (first_code(result.diagnostics) != "E0301") return 1;
-        return result.diagnostics[0].message.find("Permission denied") == std::string::npos ? 2 : 0;
+            return testing::not_permitted;  // root may write anywhere
+        return is_refused(folder / "a", "x", "Permission denied") ? 0 : 1;
     });
     fs::permissions(folder.path(), fs::perms::owner_all);
-    if (status == not_permitted) GTEST_SKIP() << "root cannot become anybody else here";
+    if (status == testing::not_permitted) GTEST_SKIP() << "root cannot become anybody else here";
     EXPECT_EQ(status, 0);
 }
 

@@ -112,14 +112,10 @@ class Random {
 // Smooth values that a half holds exactly: multiples of 1/1024 in [0, 1].
 inline Image2<float> sample_image(int width, int height, int channels) {
     Image2<float> image(width, height, channels);
-    for (int y = 0; y < height; ++y) {
-        for (int x = 0; x < width; ++x) {
-            for (int channel = 0; channel < channels; ++channel) {
-                const int value = (x * 37 + y * 11 + channel * 301) % 1025;
-                image.texel(x, y)[channel] = static_cast<float>(value) / 1024;
-            }
-        }
-    }
+    for_each_voxel({width, height, channels}, [&](int x, int y, int channel) {
+        const int value = (x * 37 + y * 11 + channel * 301) % 1025;
+        image.texel(x, y)[channel] = static_cast<float>(value) / 1024;
+    });
     return image;
 }
 

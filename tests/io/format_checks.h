@@ -117,7 +117,12 @@ inline void expect_refuses_damage(config::FileFormat format, const Baked& volume
     }
     for (int i = 0; i < 300; ++i) {
         std::string bytes = whole;
-        bytes[random.below(bytes.size())] = static_cast<char>(random.below(256));
+        // Every second time the head, where damage hurts most, in several bytes.
+        const std::size_t reach =
+            i % 2 == 0 ? std::min<std::size_t>(bytes.size(), 500) : bytes.size();
+        for (std::size_t k = i % 2 == 0 ? random.below(8) + 1 : 1; k > 0; --k) {
+            bytes[random.below(reach)] = static_cast<char>(random.below(256));
+        }
         write_bytes(folder / "changed", bytes);
         // Any answer is right but a crash.
         if (row.inspect) static_cast<void>(row.inspect(folder / "changed"));
@@ -129,6 +134,27 @@ inline void expect_refuses_damage(config::FileFormat format, const Baked& volume
     EXPECT_EQ(code_of("absent", shape), "E0300");
     if (row.inspect) {
         EXPECT_EQ(first_code(row.inspect(folder / "absent").diagnostics), "E0300");
+    }
+}
+
+// Small files fail only when what they keep for the end is written.
+inline void expect_says_why_it_cannot_write(config::FileFormat format) {
+    const auto expect_says = [&](const Baked& volume, int threads, const char* path,
+                                 const char* reason) {
+        const auto result = write_as(format, volume, threads, nullptr, path);
+        ASSERT_EQ(first_code(result.diagnostics), "E0301");
+        EXPECT_NE(result.diagnostics[0].message.find(reason), std::string::npos)
+            << result.diagnostics[0].message;
+    };
+    const config::PixelType type = config::facts_of(format).holds(config::PixelType::half)
+                                       ? config::PixelType::half
+                                       : config::PixelType::unorm8;
+    for (const std::array<int, 3>& size : {std::array{64, 64, 64}, {1, 1, 1}}) {
+        const Baked volume = plain_volume(size, 4, type);
+        for (const int threads : {1, 3}) {
+            expect_says(volume, threads, "/dev/full", "No space left on device");
+        }
+        expect_says(volume, 1, "/absent/a", "No such file");
     }
 }
 

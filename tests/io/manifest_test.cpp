@@ -6,6 +6,7 @@
 
 #include "bakers/io/manifest/claimed_files.h"
 #include "tests/io/files.h"
+#include "tests/support/outcomes.h"
 
 namespace skybake {
 namespace {
@@ -19,13 +20,18 @@ std::string sample_text() {
     return manifest_json(manifest);
 }
 
-// Returns the message about a manifest with one piece of its text replaced.
-std::string message_with(const std::string& piece, const std::string& other,
-                         std::string text = sample_text()) {
+// Returns a manifest with one piece of its text replaced.
+config::Outcome<Manifest> parsed_with(const std::string& piece, const std::string& other,
+                                      std::string text) {
     const std::size_t at = text.find(piece);
     EXPECT_NE(at, std::string::npos) << piece;
-    text.replace(at, piece.size(), other);
-    const auto manifest = parse_manifest(text, "manifest.json");
+    return parse_manifest(text.replace(at, piece.size(), other), "manifest.json");
+}
+
+// Returns the message about it.
+std::string message_with(const std::string& piece, const std::string& other,
+                         const std::string& text = sample_text()) {
+    const auto manifest = parsed_with(piece, other, text);
     EXPECT_FALSE(manifest.value.has_value()) << other;
     EXPECT_EQ(testing::first_code(manifest.diagnostics), "E0304");
     return manifest.diagnostics.empty() ? "" : manifest.diagnostics[0].message;
@@ -33,13 +39,12 @@ std::string message_with(const std::string& piece, const std::string& other,
 
 TEST(Manifest, ReadsBackAsItWasWritten) {
     const std::string text = sample_text();
-    const auto manifest = parse_manifest(text, "manifest.json");
-    ASSERT_TRUE(manifest.value.has_value()) << manifest.diagnostics[0].message;
-    EXPECT_EQ(manifest_json(*manifest.value), text);
-    ASSERT_EQ(manifest.value->assets.size(), 2u);
-    EXPECT_EQ(manifest.value->assets[0].levels[0].probes.size(), 16u);
-    EXPECT_FALSE(manifest.value->assets[1].error.has_value());
-    EXPECT_EQ(manifest.value->assets[0].lookup_cost.value().operations, 70);
+    const Manifest manifest = test::without_errors(parse_manifest(text, "manifest.json"));
+    EXPECT_EQ(manifest_json(manifest), text);
+    ASSERT_EQ(manifest.assets.size(), 2u);
+    EXPECT_EQ(manifest.assets[0].levels[0].probes.size(), 16u);
+    EXPECT_FALSE(manifest.assets[1].error.has_value());
+    EXPECT_EQ(manifest.assets[0].lookup_cost.value().operations, 70);
     EXPECT_EQ(text.back(), '\n');
 }
 
@@ -59,10 +64,9 @@ std::string volume_text() {
 
 TEST(Manifest, ReadsAVolumeBackAsItWasWritten) {
     const std::string text = volume_text();
-    const auto manifest = parse_manifest(text, "manifest.json");
-    ASSERT_TRUE(manifest.value.has_value()) << manifest.diagnostics[0].message;
-    EXPECT_EQ(manifest_json(*manifest.value), text);
-    const ManifestAsset& asset = manifest.value->assets[0];
+    const Manifest manifest = test::without_errors(parse_manifest(text, "manifest.json"));
+    EXPECT_EQ(manifest_json(manifest), text);
+    const ManifestAsset& asset = manifest.assets[0];
     EXPECT_TRUE(asset.is_volume());
     EXPECT_EQ(asset.size, (std::vector<int>{12, 10, 7}));
     EXPECT_EQ(asset.axes.size(), 3u);
@@ -84,24 +88,36 @@ TEST(Manifest, ReadsAVolumeBackAsItWasWritten) {
     EXPECT_EQ(asset.seam_error, 1.0 / 3);
 }
 
-TEST(Manifest, NamesThePlaceOfDamageInAVolume) {
-    const auto message = [](const std::string& piece, const std::string& other) {
-        return message_with(piece, other, volume_text());
-    };
-    const auto names = [](const std::string& text, const std::string& place) {
-        return text.find(place) != std::string::npos;
-    };
-    EXPECT_TRUE(names(message("\"level\": 2", "\"level\": 3"), "of level 3"));
-    EXPECT_TRUE(names(message("\"level\": 0", "\"level\": -1"), "assets[0].files[0].level"));
-    EXPECT_TRUE(names(message("\"atlas\"", "\"heap\""), "there is no such layout"));
-    EXPECT_TRUE(
-        names(message("\"columns\": 3", "\"columns\": 99999999"), "files[0].layout.columns"));
-    EXPECT_TRUE(names(message("\"counts\": [", "\"counts\": [1.5, "), "histogram.counts[0]"));
-    EXPECT_TRUE(names(message("\"uvw\": [", "\"uvw\": [1, "), "3 values"));
-    EXPECT_TRUE(names(message("\"mips\"", "\"mops\""), "`mips` is missing"));
-    EXPECT_TRUE(names(message("\"bin\"", "\"raw\""), "there is no such format"));
-    EXPECT_TRUE(names(message("\"grids\": [", "\"grids\": [\"A\", "), "4 grids for 3 channels"));
-    EXPECT_TRUE(names(message("\"w\": {", "\"x\": {"), "`w` is missing"));
+struct Damage {
+    std::string piece, other, named;
+};
+
+void expect_named(const std::vector<Damage>& all, const std::string& text) {
+    for (const auto& [piece, other, named] : all) {
+        const std::string message = message_with(piece, other, text);
+        EXPECT_NE(message.find(named), std::string::npos) << message;
+    }
+}
+
+TEST(Manifest, NamesThePlaceOfDamage) {
+    expect_named({{"\"bytes\": ", "\"bytes\": -", "assets[0].files[0].bytes"},
+                  {"\"quantity\"", "\"quality\"", "assets[0].mapping.u"},
+                  {"\"assets\"", "\"asset\"", "`assets` is missing"},
+                  {"\"skybake\"", "\"other\"", "not of skybake's"},
+                  {"\"uv\": [", "\"uv\": [1, ", "2 values"},
+                  {"\"assets\": [", "\"assets\": [[", "not JSON at line"}},
+                 sample_text());
+    expect_named({{"\"level\": 2", "\"level\": 3", "of level 3"},
+                  {"\"level\": 0", "\"level\": -1", "assets[0].files[0].level"},
+                  {"\"atlas\"", "\"heap\"", "there is no such layout"},
+                  {"\"columns\": 3", "\"columns\": 99999999", "files[0].layout.columns"},
+                  {"\"counts\": [", "\"counts\": [1.5, ", "histogram.counts[0]"},
+                  {"\"uvw\": [", "\"uvw\": [1, ", "3 values"},
+                  {"\"mips\"", "\"mops\"", "`mips` is missing"},
+                  {"\"bin\"", "\"raw\"", "there is no such format"},
+                  {"\"grids\": [", "\"grids\": [\"A\", ", "4 grids for 3 channels"},
+                  {"\"w\": {", "\"x\": {", "`w` is missing"}},
+                 volume_text());
 }
 
 TEST(Manifest, KeepsEveryBitOfANumber) {
@@ -146,16 +162,7 @@ TEST(Manifest, ConventionsAndAxesReadBack) {
 
 // Returns the alterations of the text with one piece replaced, which can still be read.
 std::vector<std::string> alterations_with(const std::string& piece, const std::string& other) {
-    std::string text = sample_text();
-    const std::size_t at = text.find(piece);
-    EXPECT_NE(at, std::string::npos) << piece;
-    text.replace(at, piece.size(), other);
-    const auto manifest = parse_manifest(text, "manifest.json");
-    if (!manifest.value) {
-        ADD_FAILURE() << manifest.diagnostics[0].message;
-        return {};
-    }
-    return manifest.value->alterations;
+    return test::without_errors(parsed_with(piece, other, sample_text())).alterations;
 }
 
 TEST(Manifest, TellsWhereItHasBeenChanged) {
@@ -235,19 +242,6 @@ TEST(Manifest, NestsParametersByPath) {
     EXPECT_EQ(parameters_json(values),
               R"({"wavelengths":["680 nm","550 nm"],"atmosphere":{"ground_radius":"6360000 m",)"
               R"("layers":{"sea fog":{"g":0.8}}},"bake":{"transmittance":{"size":[256,64]}}})");
-}
-
-TEST(Manifest, NamesThePlaceOfDamage) {
-    EXPECT_NE(message_with("\"bytes\": ", "\"bytes\": -").find("assets[0].files[0].bytes"),
-              std::string::npos);
-    EXPECT_NE(message_with("\"quantity\"", "\"quality\"").find("assets[0].mapping.u"),
-              std::string::npos);
-    EXPECT_NE(message_with("\"assets\"", "\"asset\"").find("`assets` is missing"),
-              std::string::npos);
-    EXPECT_NE(message_with("\"skybake\"", "\"other\"").find("not of skybake's"), std::string::npos);
-    EXPECT_NE(message_with("\"uv\": [", "\"uv\": [1, ").find("2 values"), std::string::npos);
-    EXPECT_NE(message_with("\"assets\": [", "\"assets\": [[").find("not JSON at line"),
-              std::string::npos);
 }
 
 TEST(Manifest, MayNotPointOutOfItsFolder) {

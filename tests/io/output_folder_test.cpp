@@ -2,6 +2,7 @@
 
 #include "bakers/io/manifest/claimed_files.h"
 #include "tests/io/files.h"
+#include "tests/support/outcomes.h"
 
 namespace skybake {
 namespace {
@@ -22,23 +23,21 @@ TEST(OutputFolder, AMissingOneIsFineAndNotMadeByLooking) {
 
 TEST(OutputFolder, TakesBackTheFoldersItMade) {
     const TemporaryFolder folder;
-    std::filesystem::create_directories(folder / "old");
-    const auto made = create_output_folder(folder / "old/a/b");
-    ASSERT_TRUE(made.value.has_value());
-    EXPECT_EQ(made.value->size(), 2u);
-    remove_empty_folders(*made.value);
-    EXPECT_FALSE(std::filesystem::exists(folder / "old/a"));
-    EXPECT_TRUE(std::filesystem::exists(folder / "old"));
+    fs::create_directories(folder / "old");
+    const auto made = test::without_errors(create_output_folder(folder / "old/a/b"));
+    EXPECT_EQ(made.size(), 2u);
+    remove_empty_folders(made);
+    EXPECT_FALSE(fs::exists(folder / "old/a"));
+    EXPECT_TRUE(fs::exists(folder / "old"));
 }
 
 TEST(OutputFolder, LeavesFoldersInUse) {
     const TemporaryFolder folder;
-    const auto made = create_output_folder(folder / "a/b");
-    ASSERT_TRUE(made.value.has_value());
-    std::filesystem::create_directories(folder / "a/other");
-    remove_empty_folders(*made.value);
-    EXPECT_FALSE(std::filesystem::exists(folder / "a/b"));
-    EXPECT_TRUE(std::filesystem::exists(folder / "a/other"));
+    const auto made = test::without_errors(create_output_folder(folder / "a/b"));
+    fs::create_directories(folder / "a/other");
+    remove_empty_folders(made);
+    EXPECT_FALSE(fs::exists(folder / "a/b"));
+    EXPECT_TRUE(fs::exists(folder / "a/other"));
 }
 
 TEST(OutputFolder, RelativeAndCurrentFoldersAreFine) {
@@ -49,10 +48,9 @@ TEST(OutputFolder, RelativeAndCurrentFoldersAreFine) {
 TEST(OutputFolder, ItsOwnFilesMayBeOverwritten) {
     const TemporaryFolder folder;
     testing::write_sample_bake(folder.path(), {"transmittance"});
-    const auto result = inspect_output_folder(folder.path(), files, false);
-    ASSERT_TRUE(result.value.has_value());
-    ASSERT_TRUE(result.value->previous.has_value());
-    EXPECT_EQ(result.value->previous->assets[0].name, "transmittance");
+    const auto result = test::without_errors(inspect_output_folder(folder.path(), files, false));
+    ASSERT_TRUE(result.previous.has_value());
+    EXPECT_EQ(result.previous->assets[0].name, "transmittance");
 }
 
 TEST(OutputFolder, ForeignFilesAreNotOverwritten) {
@@ -66,9 +64,8 @@ TEST(OutputFolder, ForeignFilesAreNotOverwritten) {
     EXPECT_EQ(refused.diagnostics[1].code, "E0303");
     EXPECT_NE(refused.diagnostics[0].label.find("--force"), std::string::npos);
 
-    const auto forced = inspect_output_folder(folder.path(), files, true);
-    ASSERT_TRUE(forced.value.has_value());
-    EXPECT_FALSE(forced.value->previous.has_value());
+    const auto forced = test::without_errors(inspect_output_folder(folder.path(), files, true));
+    EXPECT_FALSE(forced.previous.has_value());
 }
 
 TEST(OutputFolder, OtherFilesDoNotMatter) {
@@ -85,11 +82,10 @@ TEST(OutputFolder, OfAChangedManifestOnlyClaimsCount) {
     ASSERT_NE(at, std::string::npos);
     text[at + 14] = '5';
     testing::write_bytes(folder / "manifest.json", text);
-    const auto result = inspect_output_folder(folder.path(), files, false);
-    ASSERT_TRUE(result.value.has_value());
-    EXPECT_NE(result.value->reason.find("has been changed"), std::string::npos);
-    EXPECT_TRUE(result.value->previous->assets.empty());
-    EXPECT_EQ(result.value->previous->retired.at(0).path, "transmittance.exr");
+    const auto result = test::without_errors(inspect_output_folder(folder.path(), files, false));
+    EXPECT_NE(result.reason.find("has been changed"), std::string::npos);
+    EXPECT_TRUE(result.previous->assets.empty());
+    EXPECT_EQ(result.previous->retired.at(0).path, "transmittance.exr");
 }
 
 TEST(OutputFolder, EarlierFormatsClaimTheirFiles) {
@@ -98,10 +94,9 @@ TEST(OutputFolder, EarlierFormatsClaimTheirFiles) {
     testing::write_bytes(folder / "manifest.json",
                          R"({"format": 1, "tool": {"name": "skybake", "version": "0.1.0"},
                              "assets": [{"files": [{"path": "transmittance.exr", "xxh3": "0"}]}]})");
-    const auto result = inspect_output_folder(folder.path(), files, false);
-    ASSERT_TRUE(result.value.has_value());
-    EXPECT_NE(result.value->reason.find("earlier format"), std::string::npos);
-    EXPECT_TRUE(ClaimedFiles(*result.value->previous).hold("transmittance.exr"));
+    const auto result = test::without_errors(inspect_output_folder(folder.path(), files, false));
+    EXPECT_NE(result.reason.find("earlier format"), std::string::npos);
+    EXPECT_TRUE(ClaimedFiles(*result.previous).hold("transmittance.exr"));
     testing::write_bytes(folder / "second.exr", "mine");
     const std::vector<std::string> second = {"second.exr"};
     EXPECT_EQ(first_code(inspect_output_folder(folder.path(), second, false).diagnostics), "E0303");

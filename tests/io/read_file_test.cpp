@@ -1,5 +1,4 @@
 #include <sys/stat.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include "bakers/io/files/file_io.h"
@@ -39,8 +38,7 @@ TEST(ReadFile, SaysWhyItCannot) {
 TEST(FileInput, RefusesAPipeAtOnce) {
     const TemporaryFolder folder;
     ::mkfifo((folder / "pipe").c_str(), 0600);
-    const pid_t child = ::fork();
-    if (child == 0) {
+    const int status = in_child([&] {
         ::alarm(20);
         const auto opened = FileInput::open(folder / "pipe");
         const auto print = fingerprint(folder / "pipe");
@@ -48,12 +46,9 @@ TEST(FileInput, RefusesAPipeAtOnce) {
             testing::first_code(opened.diagnostics) == "E0300" &&
             testing::first_code(print.diagnostics) == "E0300" &&
             opened.diagnostics[0].message.find("not a regular file") != std::string::npos;
-        ::_exit(told ? 0 : 1);
-    }
-    int status = 0;
-    ASSERT_EQ(::waitpid(child, &status, 0), child);
-    EXPECT_TRUE(WIFEXITED(status)) << "it waited";
-    EXPECT_EQ(WEXITSTATUS(status), 0);
+        return told ? 0 : 1;
+    });
+    EXPECT_EQ(status, 0) << "or -1 if it waited";
 }
 
 TEST(SheetLayout, AStackIsOneColumn) {

@@ -7,6 +7,7 @@
 
 #include "config/presets/presets.h"
 #include "tests/io/files.h"
+#include "tests/support/outcomes.h"
 
 namespace skybake {
 namespace {
@@ -29,14 +30,12 @@ config::Outcome<config::Recipe> recorded(const config::Recipe& recipe) {
 
 void expect_round_trip(const std::string& text) {
     SCOPED_TRACE(text);
-    const auto recipe = config::parse_recipe(text, "recipe.toml");
-    ASSERT_TRUE(recipe.value.has_value()) << recipe.diagnostics[0].message;
-    const auto again = recorded(*recipe.value);
-    ASSERT_TRUE(again.value.has_value()) << again.diagnostics[0].message;
-    EXPECT_EQ(values_of(*again.value), values_of(*recipe.value));
-    EXPECT_EQ(again.value->parameters.atmosphere.layers.size(),
-              recipe.value->parameters.atmosphere.layers.size());
-    EXPECT_EQ(again.value->parameters.bakes.size(), recipe.value->parameters.bakes.size());
+    const auto recipe = test::without_errors(config::parse_recipe(text, "recipe.toml"));
+    const auto again = test::without_errors(recorded(recipe));
+    EXPECT_EQ(values_of(again), values_of(recipe));
+    EXPECT_EQ(again.parameters.atmosphere.layers.size(),
+              recipe.parameters.atmosphere.layers.size());
+    EXPECT_EQ(again.parameters.bakes.size(), recipe.parameters.bakes.size());
 }
 
 TEST(RecordedRecipe, EveryAtmospherePresetComesBack) {
@@ -135,13 +134,12 @@ TEST(RecordedRecipe, NeitherIncludesNorPresetsAreReadAgain) {
         "preset = \"earth_hillaire\"\ninclude = [\"air.toml\"]\n[bake.transmittance]\n");
     const auto recipe = config::load_recipe(folder / "recipe.toml", {});
     ASSERT_TRUE(recipe.value.has_value());
-    const auto manifest = parse_manifest(manifest_json(new_manifest(*recipe.value)), "m");
-    ASSERT_TRUE(manifest.value.has_value());
+    const auto manifest =
+        test::without_errors(parse_manifest(manifest_json(new_manifest(*recipe.value)), "m"));
     for (const char* found : {"[bake.intruder]\nasset = \"transmittance\"\n", "not a recipe"}) {
         testing::write_bytes(folder / "air.toml", found);
-        const auto again = recorded_recipe(*manifest.value, "m", folder / "");
-        ASSERT_TRUE(again.value.has_value()) << again.diagnostics[0].message;
-        EXPECT_EQ(values_of(*again.value), values_of(*recipe.value));
+        const auto again = test::without_errors(recorded_recipe(manifest, "m", folder / ""));
+        EXPECT_EQ(values_of(again), values_of(*recipe.value));
     }
 }
 

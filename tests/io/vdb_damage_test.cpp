@@ -2,12 +2,10 @@
 #include <gtest/gtest.h>
 #include <openvdb/io/File.h>
 #include <openvdb/openvdb.h>
-#include <sys/resource.h>
 
 #include <atomic>
-#include <csignal>
 
-#include "tests/io/files.h"
+#include "tests/io/small_disks.h"
 #include "tests/io/vdb_samples.h"
 #include "tests/support/cancelled_at.h"
 
@@ -17,24 +15,6 @@ namespace {
 using namespace testing;
 
 const auto go_on = [](const VdbSlab&) { return true; };
-
-// Lets the process write files of so many bytes, as long as it lives.
-class LargestFile {
-  public:
-    explicit LargestFile(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
-        ::getrlimit(RLIMIT_FSIZE, &before_);
-        const rlimit limit = {bytes, before_.rlim_max};
-        ::setrlimit(RLIMIT_FSIZE, &limit);
-    }
-    ~LargestFile() {
-        ::setrlimit(RLIMIT_FSIZE, &before_);
-        std::signal(SIGXFSZ, handler_);
-    }
-
-  private:
-    rlimit before_{};
-    void (*handler_)(int);
-};
 
 TEST(VdbWriteFails, WhereTheDiskIsFull) {
     const auto written = write_sample(vdb_sample({64, 64, 64}, 1, PixelType::half), "/dev/full");

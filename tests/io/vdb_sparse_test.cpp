@@ -33,11 +33,7 @@ Baked sparse_sample(const Size& size, int channels, Function function,
 
 // Returns the values that the file is to hold of a channel: x fastest, then y, then z.
 std::vector<float> stored_values(const Baked& volume, int channel) {
-    const VoxelBox box = {{}, volume.levels[0].size};
-    std::vector<float> values(static_cast<std::size_t>(box.count()));
-    std::vector<float*> channels(volume.channel_names.size(), nullptr);
-    channels[static_cast<std::size_t>(channel)] = values.data();
-    volume.levels[0].voxels->fill(box, channels);
+    std::vector<float> values = testing::voxels_of(volume, static_cast<std::size_t>(channel));
     for (float& value : values) {
         value = round_to_pixel_type(double{value}, volume.pixel_type);
         if (value == 0) value = 0;  // not -0
@@ -49,14 +45,11 @@ std::vector<float> stored_values(const Baked& volume, int channel) {
 FloatGrid::Ptr sparse_grid(const std::vector<float>& values, const Size& size) {
     FloatGrid::Ptr grid = FloatGrid::create(0.0F);
     FloatGrid::Accessor accessor = grid->getAccessor();
-    const float* value = values.data();
-    for (int z = 0; z < size[2]; ++z) {
-        for (int y = 0; y < size[1]; ++y) {
-            for (int x = 0; x < size[0]; ++x, ++value) {
-                if (*value != 0) accessor.setValueOn(Coord(x, y, z), *value);
-            }
-        }
-    }
+    std::size_t i = 0;
+    testing::for_each_voxel(size, [&](int x, int y, int z) {
+        const float value = values[i++];
+        if (value != 0) accessor.setValueOn(Coord(x, y, z), value);
+    });
     return grid;
 }
 

@@ -9,6 +9,7 @@
 #include "tests/io/files.h"
 #include "tests/io/vdb_samples.h"
 #include "tests/io/vdb_trees.h"
+#include "tests/support/outcomes.h"
 #include "tests/support/volumes.h"
 
 namespace skybake {
@@ -62,13 +63,9 @@ FloatGrid::Ptr dense_grid(const Baked& volume, int channel) {
     grid->denseFill(openvdb::CoordBBox(Coord(0), Coord(size[0] - 1, size[1] - 1, size[2] - 1)),
                     0.0F, true);
     FloatGrid::Accessor values = grid->getAccessor();
-    for (int x = 0; x < size[0]; ++x) {
-        for (int y = 0; y < size[1]; ++y) {
-            for (int z = 0; z < size[2]; ++z) {
-                values.setValueOn(Coord(x, y, z), stored_voxel(volume, x, y, z, channel));
-            }
-        }
-    }
+    for_each_voxel(size, [&](int x, int y, int z) {
+        values.setValueOn(Coord(x, y, z), stored_voxel(volume, x, y, z, channel));
+    });
     return grid;
 }
 
@@ -84,9 +81,8 @@ class VdbVolume : public ::testing::TestWithParam<Case> {
     void SetUp() override {
         const Case& tested = GetParam();
         volume_ = vdb_sample(tested.size, tested.channels, tested.type, tested.compression);
-        const auto written = write_sample(volume_, path_);
-        ASSERT_TRUE(written.value.has_value()) << written.diagnostics.at(0).message;
-        ASSERT_TRUE(*written.value);
+        const auto written = test::without_errors(write_sample(volume_, path_));
+        ASSERT_TRUE(written);
     }
 
     TemporaryFolder folder_;
@@ -237,24 +233,22 @@ TEST(VdbVolumeLevels, LieInTheSameBoxAsTheVolume) {
     const TemporaryFolder folder;
     testing::write_bytes(folder / "v.vdb", "");
     ASSERT_TRUE(write_vdb(volume, 1, {}, 1, nullptr, folder / "v.vdb").value);
-    const auto file = read_vdb(folder / "v.vdb");
-    ASSERT_TRUE(file.value.has_value());
-    EXPECT_EQ(file.value->grids[0].voxel_size, (std::array{50.0, 50.0, 25.0}));
-    EXPECT_EQ(file.value->grids[0].first_centre, (std::array{-75.0, 25.25, 10012.5}));
+    const auto file = test::without_errors(read_vdb(folder / "v.vdb"));
+    EXPECT_EQ(file.grids[0].voxel_size, (std::array{50.0, 50.0, 25.0}));
+    EXPECT_EQ(file.grids[0].first_centre, (std::array{-75.0, 25.25, 10012.5}));
 }
 
 TEST(VdbVolumeInfo, SaysWhatTheFileHolds) {
     const TemporaryFolder folder;
     const Baked volume = vdb_sample({9, 8, 7}, 4, PixelType::half, VdbCompression::zip);
     ASSERT_TRUE(write_sample(volume, folder / "v.vdb").value);
-    const auto file = read_vdb(folder / "v.vdb");
-    ASSERT_TRUE(file.value.has_value()) << file.diagnostics.at(0).message;
-    EXPECT_EQ(file.value->uuid, "01234567-89ab-cdef-0123-456789abcdef");
-    EXPECT_EQ(file.value->attributes,
+    const auto file = test::without_errors(read_vdb(folder / "v.vdb"));
+    EXPECT_EQ(file.uuid, "01234567-89ab-cdef-0123-456789abcdef");
+    EXPECT_EQ(file.attributes,
               (Attributes{{"skybake/kind", "noise_volume"}, {"skybake/release", "1"}}));
-    ASSERT_EQ(file.value->grids.size(), 4U);
+    ASSERT_EQ(file.grids.size(), 4U);
     for (std::size_t i = 0; i < 4; ++i) {
-        const VdbGrid& grid = file.value->grids[i];
+        const VdbGrid& grid = file.grids[i];
         EXPECT_EQ(grid.name, volume.channel_names[i]);
         EXPECT_EQ(grid.type, "Tree_float_5_4_3");
         EXPECT_EQ(grid.grid_class, "fog volume");

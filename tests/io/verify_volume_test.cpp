@@ -21,11 +21,8 @@ TEST(VerifyVolume, AcceptsWhatWasWritten) {
             volume.layout = layout;
             volume.columns = 3;
             testing::write_sample_volume(folder.path(), volume);
+            EXPECT_EQ(failed_checks(folder.path()), Checks{});
             const auto report = verify_bake(folder.path());
-            ASSERT_TRUE(report.value.has_value());
-            for (const auto& failure : report.value->failures) {
-                ADD_FAILURE() << failure.file << " " << failure.check << " " << failure.message;
-            }
             EXPECT_EQ(report.value->files, 6);
             EXPECT_GT(report.value->checks, 6 * 16);
             EXPECT_EQ(verify_bake(folder / "manifest.json").value->checks, report.value->checks);
@@ -103,12 +100,12 @@ TEST(VerifyVolume, FindsSlicesInAnotherOrder) {
     const Baked volume =
         sample_volume({12, 10, 7}, 3, PixelType::half, {FileFormat::exr, FileFormat::bin});
     Manifest manifest = testing::write_sample_volume(folder.path(), volume);
-    ExrImage image = *read_exr(folder / "shape.exr").value;
+    ExrImage image = read_exr(folder / "shape.exr");
     const Image2<float> old = image.pixels;
     for (int z = 0; z < 7; ++z) {
         std::copy_n(old.texel(0, 10 * z), 12 * 10 * 3, image.pixels.texel(0, 10 * (6 - z)));
     }
-    replace_file(folder.path(), manifest, 0, *encode_exr(image).value);
+    replace_file(folder.path(), manifest, 0, encode_exr(image));
     const Checks failed = failed_checks(folder.path());
     EXPECT_EQ(failed.count("content_hash"), 1U);
     EXPECT_GT(failed.count("probe"), 8U);

@@ -426,16 +426,14 @@ TEST_F(TablesOfColors, OfFourWavelengthsLookLikeThoseOfEight) {
         const Baked eight = baked(recipe("best 8", "xyz", sun, {}));
         const auto largest_difference = [&](const std::vector<glm::dvec3>& weights) {
             double largest = 0;
-            for (int y = 0; y < 8; ++y) {
-                for (int x = 0; x < 6; ++x) {
-                    const float* radiance = light.image().texel(x, y);
-                    glm::dvec3 sum(0);
-                    for (std::size_t k = 0; k < 4; ++k) sum += weights[k] * double{radiance[k]};
-                    const float* right = eight.image().texel(x, y);
-                    largest = std::max(largest, ciede2000(lab({sum.x, sum.y, sum.z}),
-                                                          lab({right[0], right[1], right[2]})));
-                }
-            }
+            testing::for_each_texel(6, 8, [&](int x, int y) {
+                const float* radiance = light.image().texel(x, y);
+                glm::dvec3 sum(0);
+                for (std::size_t k = 0; k < 4; ++k) sum += weights[k] * double{radiance[k]};
+                const float* right = eight.image().texel(x, y);
+                largest = std::max(largest, ciede2000(lab({sum.x, sum.y, sum.z}),
+                                                      lab({right[0], right[1], right[2]})));
+            });
             return largest;
         };
         EXPECT_LT(largest_difference(own), 1) << sun;

@@ -7,6 +7,7 @@
 #include "bakers/field/interpolation.h"
 #include "bakers/light/solver/solved_light.h"
 #include "tests/support/atmospheres.h"
+#include "tests/support/loops.h"
 #include "tests/support/outcomes.h"
 
 namespace skybake {
@@ -42,14 +43,10 @@ TEST(SolvedScatteringTable, MomentsBeginWithTheMeanRadiance) {
     const Baked mean = table_of(size);
     const Baked moments = table_of(size + "content = \"moments\"\ndegree = 3\n");
     EXPECT_EQ(moments.image().height, 9 * moment_count(3));
-    for (int y = 0; y < 9; ++y) {
-        for (int x = 0; x < 24; ++x) {
-            for (int c = 0; c < 3; ++c) {
-                // Solved to the same degree, 4, at least.
-                EXPECT_EQ(moments.image().texel(x, y)[c], mean.image().texel(x, y)[c]);
-            }
-        }
-    }
+    testing::for_each_voxel({3, 24, 9}, [&](int c, int x, int y) {
+        // Solved to the same degree, 4, at least.
+        EXPECT_EQ(moments.image().texel(x, y)[c], mean.image().texel(x, y)[c]);
+    });
     for (const Probe& probe : moments.levels[0].probes) {
         double value[3];
         bilinear(moments.image(), probe.uvw[0], probe.uvw[1], value);

@@ -8,6 +8,7 @@
 
 #include "bakers/render/tone_curve.h"
 #include "tests/lookups/gpu.h"
+#include "tests/support/loops.h"
 
 namespace skybake {
 namespace gpu::film_lookups {
@@ -23,9 +24,8 @@ constexpr int kEdge = 32;
 // Means of bytes, over the thresholds of many pixels.
 std::array<double, 3> bytes_shown(const vec3& light) {
     Image2<float> field(kEdge, kEdge, 3);
-    for (int y = 0; y < kEdge; ++y) {
-        for (int x = 0; x < kEdge; ++x) std::copy_n(&light.x, 3, field.texel(x, y));
-    }
+    testing::for_each_texel(kEdge, kEdge,
+                            [&](int x, int y) { std::copy_n(&light.x, 3, field.texel(x, y)); });
     const Picture picture = tone_mapped(field, 1, ToneCurve::film);
     std::array<double, 3> means{};
     for (std::size_t i = 0; i < picture.rgb.size(); ++i) means[i % 3] += picture.rgb[i];

@@ -1,5 +1,6 @@
 // Flipbooks, as textures of a layer per frame and as sheets of cells.
 #include "tests/lookups/lookup_trial.h"
+#include "tests/support/loops.h"
 
 namespace skybake {
 namespace gpu::flipbook_lookups {
@@ -35,19 +36,15 @@ Texture sheet_of(const Texture& book, int columns, int rows) {
                             static_cast<std::size_t>(columns * rows),
                         kEmpty);
     const auto channels = static_cast<std::size_t>(book.channels);
-    for (int frame = 0; frame < frames; ++frame) {
-        for (int y = 0; y < height; ++y) {
-            for (int x = 0; x < width; ++x) {
-                const int row = frame / columns * height + y;
-                const int column = frame % columns * width + x;
-                for (int c = 0; c < book.channels; ++c) {
-                    const auto to = static_cast<std::size_t>(row * sheet.size[0] + column);
-                    sheet.texels[to * channels + static_cast<std::size_t>(c)] =
-                        book.texel({x, y, frame}, c);
-                }
-            }
+    testing::for_each_voxel({width, height, frames}, [&](int x, int y, int frame) {
+        const int row = frame / columns * height + y;
+        const int column = frame % columns * width + x;
+        for (int c = 0; c < book.channels; ++c) {
+            const auto to = static_cast<std::size_t>(row * sheet.size[0] + column);
+            sheet.texels[to * channels + static_cast<std::size_t>(c)] =
+                book.texel({x, y, frame}, c);
         }
-    }
+    });
     return sheet;
 }
 

@@ -12,6 +12,7 @@
 #include "bakers/field/baked.h"
 #include "config/assets/blue_noise.h"
 #include "tests/support/outcomes.h"
+#include "tests/support/volumes.h"
 
 namespace skybake {
 namespace {
@@ -29,13 +30,6 @@ config::BlueNoiseBake bake_of(const std::array<int, 2>& size, int frames, PixelT
 
 Baked baked(const config::BlueNoiseBake& bake) {
     return test::without_diagnostics(bake_blue_noise(bake, {}, {}));
-}
-
-std::vector<float> voxels_of(const Baked& volume) {
-    const Level& level = volume.levels.front();
-    std::vector<float> values(static_cast<std::size_t>(VoxelBox{{}, level.size}.count()));
-    level.voxels->fill({{}, level.size}, {values.data()});
-    return values;
 }
 
 // How often the ranks of a frame have each code.
@@ -61,7 +55,7 @@ RC_GTEST_PROP(BlueNoise, EveryCodeIsAsFrequentAsAnyOtherButForOnePixel, ()) {
 
 TEST(BlueNoise, FramesOf256MultiplesHaveEachByteEquallyOften) {
     const Baked volume = baked(bake_of({32, 16}, 3, PixelType::unorm8));
-    const std::vector<float> values = voxels_of(volume);
+    const std::vector<float> values = testing::voxels_of(volume, 0);
     for (std::size_t frame = 0; frame < 3; ++frame) {
         std::vector<int> counts(256);
         for (std::size_t i = 0; i < 512; ++i) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <fmt/format.h>
+#include <gtest/gtest.h>
 
 #include <string>
 
@@ -48,6 +49,18 @@ inline Mismatches unlike_specification(const noise::NoisePlan& plan, const Voxel
                            name);
     });
     return mismatches;
+}
+
+// Expects no difference, and returns how many there are.
+inline std::int64_t expect_specified(const noise::NoisePlan& plan, const VoxelBox& box) {
+    const Mismatches mismatches = unlike_specification(plan, box);
+    EXPECT_EQ(mismatches.count, 0) << mismatches.first;
+    return mismatches.count;
+}
+
+inline std::int64_t expect_specified(const config::Noise& noise, const std::array<int, 3>& size,
+                                     const VoxelBox& box) {
+    return expect_specified(noise::make_noise_plan(noise, size), box);
 }
 
 }  // namespace skybake::test

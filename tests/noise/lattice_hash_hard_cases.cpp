@@ -113,16 +113,12 @@ double chi_square(const std::vector<std::int64_t>& counts) {
     return (sum - freedom) / std::sqrt(2 * freedom);
 }
 
-constexpr std::uint32_t kSide = 64;
+constexpr int kSide = 64;
 
 // Calls visit(x, y, z) for all points of a lattice.
 template <class Visit>
 void for_each_point(const Visit& visit) {
-    for (std::uint32_t z = 0; z < kSide; ++z) {
-        for (std::uint32_t y = 0; y < kSide; ++y) {
-            for (std::uint32_t x = 0; x < kSide; ++x) visit(x, y, z);
-        }
-    }
+    testing::for_each_voxel({kSide, kSide, kSide}, visit);
 }
 
 std::uint64_t key_of(Purpose purpose) { return octave_key(7, 0, purpose, {kSide, kSide, kSide}); }
@@ -265,9 +261,7 @@ TEST(NoiseHardCase, SeedsGiveUnrelatedFields) {
     const auto field = [](std::uint64_t noise_seed, std::uint64_t channel_seed) {
         config::NoiseChannel channel = test::perlin({{16, 16, 16}});
         channel.seed = channel_seed;
-        const NoisePlan plan =
-            make_noise_plan(test::noise_of({channel}, noise_seed), {kSize, kSize, kSize});
-        return test::filled(NoiseField(plan), {{}, {kSize, kSize, kSize}}, 1)[0];
+        return test::whole(test::noise_of({channel}, noise_seed), {kSize, kSize, kSize})[0];
     };
     std::vector<std::vector<float>> fields;
     for (const std::uint64_t seed : kSeeds) {
@@ -297,8 +291,7 @@ TEST(NoiseHardCase, SeedsGiveUnrelatedFields) {
 
 TEST(NoiseHardCase, EqualOctavesAreTheSameField) {
     const auto plane = [](const config::Noise& noise, std::size_t channel) {
-        const NoisePlan plan = make_noise_plan(noise, {24, 24, 24});
-        return test::filled(NoiseField(plan), {{}, {24, 24, 24}}, plan.output_channels())[channel];
+        return test::whole(noise, {24, 24, 24})[channel];
     };
     config::NoiseChannel other = test::worley({{6, 6, 6}});
     other.seed = 1;

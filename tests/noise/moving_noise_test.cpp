@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "bakers/math/quadrature.h"
 #include "bakers/noise/lattice_hash.h"
@@ -32,10 +33,7 @@ Noise at_time(Noise noise, int period, int time, int cells = 4) {
     return noise;
 }
 
-test::Planes frame(const Noise& noise) {
-    const NoiseField field(make_noise_plan(noise, kSize));
-    return test::filled(field, {{}, kSize}, field.plan().output_channels());
-}
+test::Planes frame(const Noise& noise) { return test::whole(noise, kSize); }
 
 double rms_difference(const std::vector<float>& a, const std::vector<float>& b) {
     double sum = 0;
@@ -47,9 +45,7 @@ TEST(MovingNoise, EqualsTheSpecificationOnEveryTarget) {
     for (Noise noise : all_kinds()) {
         noise.drift = {1, -2, 3};
         for (const std::array<int, 3>& size : {std::array{33, 20, 11}, {32, 16, 16}, {3, 2, 1}}) {
-            const test::Mismatches mismatches = test::unlike_specification(
-                make_noise_plan(at_time(noise, 7, 3, 2), size), {{}, size});
-            EXPECT_EQ(mismatches.count, 0) << mismatches.first;
+            test::expect_specified(at_time(noise, 7, 3, 2), size, {{}, size});
         }
     }
 }
@@ -152,10 +148,8 @@ TEST(MovingNoise, TurnsSmallEddiesOverFaster) {
     for (const Noise& both :
          {test::noise_of({test::worley({{2, 2, 2}}), test::worley({{16, 16, 16}})}),
           test::noise_of({test::alligator({{2, 2, 2}}), test::alligator({{16, 16, 16}})})}) {
-        const std::array<int, 3> size = {64, 64, 64};
         const auto at = [&](int time) {
-            const NoiseField field(make_noise_plan(at_time(both, 1000, time, 4), size));
-            return test::filled(field, {{}, size}, 2);
+            return test::whole(at_time(both, 1000, time, 4), {64, 64, 64});
         };
         const test::Planes here = at(300), next = at(301);
         const double coarse = rms_difference(here[0], next[0]);
@@ -234,20 +228,12 @@ TEST(Drift, FallsBetweenVoxels) {
 
 // --- Statistics over the loop -------------------------------------------------------------------
 
-struct Moments {
-    double mean = 0;
-    double deviation = 0;
-};
-
-Moments moments_of(const std::vector<float>& values) {
-    Moments moments;
+double deviation(const std::vector<float>& values) {
     const auto count = static_cast<double>(values.size());
-    for (const float value : values) moments.mean += value / count;
-    for (const float value : values) {
-        moments.deviation += (value - moments.mean) * (value - moments.mean) / count;
-    }
-    moments.deviation = std::sqrt(moments.deviation);
-    return moments;
+    const double mean = std::accumulate(values.begin(), values.end(), 0.0) / count;
+    double squares = 0;
+    for (const float value : values) squares += (value - mean) * (value - mean) / count;
+    return std::sqrt(squares);
 }
 
 // Over a cell along time the noises' deviations stay what they are: points are equally distributed at
@@ -259,11 +245,10 @@ TEST(MovingNoise, LooksAlikeAtAllTimes) {
     std::array<std::array<double, 2>, 3> ranges;
     for (auto& range : ranges) range = {1e9, 0};
     for (int time = 0; time < 8; ++time) {
-        const NoiseField field(make_noise_plan(at_time(noise, 32, time), {64, 64, 64}));
-        const test::Planes planes = test::filled(field, {{}, {64, 64, 64}}, 3);
+        const test::Planes planes = test::whole(at_time(noise, 32, time), {64, 64, 64});
         for (std::size_t c = 0; c < 3; ++c) {
-            const double deviation = moments_of(planes[c]).deviation;
-            ranges[c] = {std::min(ranges[c][0], deviation), std::max(ranges[c][1], deviation)};
+            const double here = deviation(planes[c]);
+            ranges[c] = {std::min(ranges[c][0], here), std::max(ranges[c][1], here)};
         }
     }
     for (const auto& [least, most] : ranges) EXPECT_LT(most / least, 1.05);

@@ -13,13 +13,7 @@ namespace skybake::noise {
 namespace {
 
 using config::WorleyFeature;
-using test::unlike_specification;
-
-void expect_specified(const config::Noise& noise, const std::array<int, 3>& size,
-                      const VoxelBox& box) {
-    const test::Mismatches mismatches = unlike_specification(make_noise_plan(noise, size), box);
-    EXPECT_EQ(mismatches.count, 0) << mismatches.first;
-}
+using test::expect_specified;
 
 TEST(NoiseField, EqualsTheSpecificationOnEveryTarget) {
     int targets = 0;
@@ -117,7 +111,7 @@ TEST(NoiseField, CellsOfAnyWidthEqualThePointwiseKernel) {
             make_noise_plan(test::noise_of({plain, plain, inverted}), {size, size, size});
         ASSERT_EQ(plan.fields.size(), 1u);
         const VoxelBox box{{0, 0, 0}, {size, size, size}};
-        const test::Planes made = test::filled(NoiseField(plan), box, 3);
+        const test::Planes made = test::whole(plan);
         const auto stride = static_cast<std::size_t>((size + 15) / 16 * 16);
         const auto rows = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
         std::vector<float> pointwise(stride * rows);
@@ -166,8 +160,7 @@ TEST(Alligator, EqualsTheSpecificationWhereCellsAreWide) {
             make_noise_plan(test::noise_of({test::alligator({any.frequency})}), any.size);
         for (const PathShift shift : {PathShift{}, {12345678, 0}, {12345678, 23456789}}) {
             plan.fields[0].shift = shift;
-            const test::Mismatches mismatches = test::unlike_specification(plan, any.box);
-            EXPECT_EQ(mismatches.count, 0) << mismatches.first;
+            expect_specified(plan, any.box);
         }
     }
 }

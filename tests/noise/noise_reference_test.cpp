@@ -9,6 +9,7 @@
 #include "bakers/math/quadrature.h"
 #include "bakers/noise/lattice_hash.h"
 #include "tests/noise/noises.h"
+#include "tests/noise/perlin_2002.h"
 
 namespace skybake::noise {
 namespace {
@@ -17,7 +18,6 @@ using config::CurlComponent;
 using config::WorleyFeature;
 using config::WorleyValue;
 using namespace test;
-using Place = std::array<double, 3>;
 
 constexpr int kPoints = 2000;
 
@@ -28,59 +28,7 @@ Place place_at(int index) {
     return place;
 }
 
-// --- Perlin 2002, "Improving Noise", as in its appendix -----------------------------------------
-
-double fade(double t) { return t * t * t * (t * (t * 6 - 15) + 10); }
-double lerp(double t, double a, double b) { return a + t * (b - a); }
-
-// The appendix' twelve directions to the middles of a cube's edges, by the low bits of a hash.
-double grad(int hash, double x, double y, double z) {
-    const int h = hash & 15;
-    const double u = h < 8 ? x : y;
-    const double v = h < 4 ? y : h == 12 || h == 14 ? x : z;
-    return ((h & 1) == 0 ? u : -u) + ((h & 2) == 0 ? v : -v);
-}
-
-// Returns which of grad's sixteen directions is this lattice point's gradient.
-int direction_of(const Gradient& gradient) {
-    for (int h = 0; h < 12; ++h) {
-        if (grad(h, 1, 0, 0) == gradient.x && grad(h, 0, 1, 0) == gradient.y &&
-            grad(h, 0, 0, 1) == gradient.z) {
-            return h;
-        }
-    }
-    ADD_FAILURE() << "no edge: " << gradient.x << ' ' << gradient.y << ' ' << gradient.z;
-    return 0;
-}
-
-double perlin_2002(std::uint64_t key, const std::array<int, 3>& period, const Place& place) {
-    const double px = place[0] * period[0];
-    const double py = place[1] * period[1];
-    const double pz = place[2] * period[2];
-    const auto X = static_cast<std::int64_t>(std::floor(px));
-    const auto Y = static_cast<std::int64_t>(std::floor(py));
-    const auto Z = static_cast<std::int64_t>(std::floor(pz));
-    const double x = px - std::floor(px);
-    const double y = py - std::floor(py);
-    const double z = pz - std::floor(pz);
-    const double u = fade(x);
-    const double v = fade(y);
-    const double w = fade(z);
-    const auto hash = [&](int i, int j, int k) {
-        const auto wrap = [](std::int64_t cell, int p) {
-            return static_cast<std::uint32_t>(((cell % p) + p) % p);
-        };
-        return direction_of(lattice_gradient(
-            row_key(key, wrap(Y + j, period[1]), wrap(Z + k, period[2])), wrap(X + i, period[0])));
-    };
-    return lerp(
-        w,
-        lerp(v, lerp(u, grad(hash(0, 0, 0), x, y, z), grad(hash(1, 0, 0), x - 1, y, z)),
-             lerp(u, grad(hash(0, 1, 0), x, y - 1, z), grad(hash(1, 1, 0), x - 1, y - 1, z))),
-        lerp(v, lerp(u, grad(hash(0, 0, 1), x, y, z - 1), grad(hash(1, 0, 1), x - 1, y, z - 1)),
-             lerp(u, grad(hash(0, 1, 1), x, y - 1, z - 1),
-                  grad(hash(1, 1, 1), x - 1, y - 1, z - 1))));
-}
+// --- Gradient noise -----------------------------------------------------------------------------
 
 TEST(NoiseReference, IsPerlinsImprovedNoise) {
     for (const test::Frequency frequency :
@@ -286,33 +234,18 @@ TEST(NoiseReference, CurlHasNoDivergence) {
     }
 }
 
-// Against the definition, by differences of the potentials. Purposes name the potentials; a
-// channel of gradient noise whose key is a potential's needs its own lattice, so they are made of
-// perlin_2002 above.
+// Against the definition, by differences of the potentials.
 TEST(NoiseReference, CurlIsTheCurlOfItsPotentials) {
+    using enum Purpose;
     const test::Frequency frequency = {4, 6, 3};
-    const auto potential = [&](Purpose purpose, const Place& place) {
-        return perlin_2002(octave_key(7, 0, purpose, frequency), frequency, place);
-    };
-    const auto slope = [&](Purpose purpose, std::size_t axis, const Place& place) {
-        constexpr double kStep = 1e-5;
-        Place up = place;
-        Place down = place;
-        up[axis] += kStep;
-        down[axis] -= kStep;
-        return (potential(purpose, up) - potential(purpose, down)) / (2 * kStep);
-    };
     for (int i = 0; i < 300; ++i) {
         const Place place = place_at(i);
-        const Place curl = curl_at({frequency}, place);
-        using enum Purpose;
-        // Over the greatest frequency, 6.
-        EXPECT_NEAR(curl[0], (slope(potential_z, 1, place) - slope(potential_y, 2, place)) / 6,
-                    1e-6);
-        EXPECT_NEAR(curl[1], (slope(potential_x, 2, place) - slope(potential_z, 0, place)) / 6,
-                    1e-6);
-        EXPECT_NEAR(curl[2], (slope(potential_y, 0, place) - slope(potential_x, 1, place)) / 6,
-                    1e-6);
+        const Place found = curl_at({frequency}, place);
+        const Place wanted =
+            curl_of_perlin_2002({potential_x, potential_y, potential_z}, frequency, place);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            EXPECT_NEAR(found[axis], wanted[axis], 1e-6) << i;
+        }
     }
 }
 

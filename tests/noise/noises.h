@@ -141,6 +141,15 @@ inline Planes filled(const VoxelSource& source, const VoxelBox& box, int channel
     return planes;
 }
 
+inline Planes whole(const noise::NoisePlan& plan) {
+    const VoxelBox all{{}, {plan.axes[0].size, plan.axes[1].size, plan.axes[2].size}};
+    return filled(noise::NoiseField(plan), all, plan.output_channels());
+}
+
+inline Planes whole(const config::Noise& noise, const std::array<int, 3>& size) {
+    return whole(noise::make_noise_plan(noise, size));
+}
+
 inline bool same_bits(float a, float b) {
     return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
 }

@@ -18,8 +18,7 @@ std::vector<float> values_to_store() {
     config::NoiseChannel shape =
         test::channel_of(config::NoiseType::perlin_worley, {{4, 4, 4}, {8, 8, 8}});
     shape.value_form = config::WorleyValue::one_minus_distance;
-    const NoisePlan plan = make_noise_plan(test::noise_of({shape}), {64, 64, 64});
-    std::vector<float> values = test::filled(NoiseField(plan), {{}, {64, 64, 64}}, 1)[0];
+    std::vector<float> values = test::whole(test::noise_of({shape}), {64, 64, 64})[0];
     for (int i = 0; i <= 1 << 20; ++i) values.push_back(static_cast<float>(i) * 0x1p-20f);
     // Where two stored values are equally near, and on either side.
     for (int i = 0; i < 255; ++i) {

@@ -19,9 +19,8 @@ constexpr int kCells = 8;
 constexpr double kTwoPi = 6.283185307179586;
 
 std::vector<float> octave(std::uint64_t seed) {
-    const NoisePlan plan = make_noise_plan(
-        test::noise_of({test::perlin({{kCells, kCells, kCells}})}, seed), {kSize, kSize, kSize});
-    std::vector<float> values = test::filled(NoiseField(plan), {{}, {kSize, kSize, kSize}}, 1)[0];
+    const config::Noise noise = test::noise_of({test::perlin({{kCells, kCells, kCells}})}, seed);
+    std::vector<float> values = test::whole(noise, {kSize, kSize, kSize})[0];
     for (float& v : values) v = 2 * v - 1;
     return values;
 }

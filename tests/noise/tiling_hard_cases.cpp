@@ -67,19 +67,16 @@ std::int64_t kernel_seam_ulps(const NoisePlan& plan) {
     const test::Planes end = test::filled(field, box, plan.output_channels());
     std::int64_t largest = 0;
     std::size_t at = 0;
-    for (int z = 0; z < box.size[2]; ++z) {
-        for (int y = 0; y < box.size[1]; ++y) {
-            for (int x = 0; x < box.size[0]; ++x, ++at) {
-                const Voxel beyond = {box.origin[0] + x + plan.axes[0].size,
-                                      box.origin[1] + y - plan.axes[1].size,
-                                      box.origin[2] + z + 3 * plan.axes[2].size};
-                const std::vector<float> wanted = noise_at(plan, beyond);
-                for (std::size_t c = 0; c < wanted.size(); ++c) {
-                    largest = std::max(largest, test::ulps_between(end[c][at], wanted[c]));
-                }
-            }
+    testing::for_each_voxel(box.size, [&](int x, int y, int z) {
+        const Voxel beyond = {box.origin[0] + x + plan.axes[0].size,
+                              box.origin[1] + y - plan.axes[1].size,
+                              box.origin[2] + z + 3 * plan.axes[2].size};
+        const std::vector<float> wanted = noise_at(plan, beyond);
+        for (std::size_t c = 0; c < wanted.size(); ++c) {
+            largest = std::max(largest, test::ulps_between(end[c][at], wanted[c]));
         }
-    }
+        ++at;
+    });
     return largest;
 }
 
@@ -181,7 +178,7 @@ TEST(NoiseHardCase, NoiseFrequenciesAtTheLimit) {
             EXPECT_GE(zeros, 64 * 64 * 8 / 8);
             EXPECT_LT(zeros, 64 * 64 * 8 / 2);
         }
-        if (frequency == 64 || frequency == 1088 || frequency == 1 << 20) {
+        if (frequency % 64 == 0) {
             EXPECT_EQ(zeros, 64 * 64 * 8);
         }
         if (frequency == 65) {
@@ -197,20 +194,16 @@ std::int64_t unlike(const std::vector<Frequency>& frequencies, const std::array<
     std::int64_t count = 0;
     for (const config::Noise& noise : test::noises_of_all_kinds(frequencies)) {
         const NoisePlan plan = make_noise_plan(noise, size);
-        for (const VoxelBox& box : boxes) {
-            const test::Mismatches mismatches = test::unlike_specification(plan, box);
-            EXPECT_EQ(mismatches.count, 0) << mismatches.first;
-            count += mismatches.count;
-        }
+        for (const VoxelBox& box : boxes) count += test::expect_specified(plan, box);
     }
     return count;
 }
 
+void row(const char* name, std::int64_t count) {
+    hold(name, "specification on every SIMD target, bits unlike", static_cast<double>(count), 0);
+}
+
 TEST(NoiseHardCase, NoiseSizes) {
-    const auto row = [](const char* name, std::int64_t count) {
-        hold(name, "specification on every SIMD target, bits unlike", static_cast<double>(count),
-             0);
-    };
     row("noise size 1 x 1 x 1", unlike({{1, 1, 1}, {5, 3, 8}}, {1, 1, 1}, {{{}, {1, 1, 1}}}));
     row("noise sizes 1 on two axes", unlike({{16, 4, 1}, {300, 4, 9}}, {1000, 1, 1},
                                             {{{}, {1000, 1, 1}}, {{3, 0, 0}, {600, 1, 1}}}) +
@@ -231,7 +224,7 @@ TEST(NoiseHardCase, NoiseBoxesEqualTheWhole) {
     for (const config::Noise& noise : test::noises_of_all_kinds({{5, 4, 3}, {13, 16, 23}})) {
         const NoisePlan plan = make_noise_plan(noise, size);
         const NoiseField field(plan);
-        const test::Planes whole = test::filled(field, {{}, size}, plan.output_channels());
+        const test::Planes whole = test::whole(plan);
         for (int i = 0; i < 200; ++i, ++boxes) {
             VoxelBox box;
             const auto a = low_discrepancy_point(2 * i);
@@ -243,17 +236,11 @@ TEST(NoiseHardCase, NoiseBoxesEqualTheWhole) {
             const test::Planes part =
                 test::filled_with_canaries(field, box, plan.output_channels());
             test::Planes wanted(part.size());
-            for (std::size_t c = 0; c < part.size(); ++c) {
-                for (int z = 0; z < box.size[2]; ++z) {
-                    for (int y = 0; y < box.size[1]; ++y) {
-                        const auto row = static_cast<std::ptrdiff_t>(
-                            ((box.origin[2] + z) * size[1] + box.origin[1] + y) * size[0] +
-                            box.origin[0]);
-                        wanted[c].insert(wanted[c].end(), whole[c].begin() + row,
-                                         whole[c].begin() + row + box.size[0]);
-                    }
-                }
-            }
+            testing::for_each_voxel(box.size, [&](int x, int y, int z) {
+                const int row = (box.origin[2] + z) * size[1] + box.origin[1] + y;
+                const auto at = static_cast<std::size_t>(row * size[0] + box.origin[0] + x);
+                for (std::size_t c = 0; c < part.size(); ++c) wanted[c].push_back(whole[c][at]);
+            });
             test::Mismatches mismatches;
             mismatches.compare(part, wanted, box, "box");
             EXPECT_EQ(mismatches.count, 0) << mismatches.first;
@@ -269,10 +256,6 @@ TEST(NoiseHardCase, NoiseBoxesEqualTheWhole) {
 TEST(NoiseHardCase, NoiseLastVoxels) {
     // 10^9 cells of about a voxel, in the last corner of 8 GiB; and axes of 16384 voxels, one of
     // them of 2^20 cells.
-    const auto row = [](const char* name, std::int64_t count) {
-        hold(name, "specification on every SIMD target, bits unlike", static_cast<double>(count),
-             0);
-    };
     row("noise 1024^3, 10^9 cells, last voxels",
         unlike({{1000, 1000, 1000}, {1024, 1023, 1021}}, {1024, 1024, 1024},
                {{{1015, 1016, 1014}, {9, 8, 10}},

@@ -105,17 +105,15 @@ TEST(WeatherMap, CoversTheGreatestNoise) {
         baked(noise, bake_of({40, 30}, {0.3, 0.6, 1}, {0.1, 0, 0.5}, PixelType::float32));
     for (std::size_t c = 0; c < 3; ++c) {
         double least_covered = 1e9, greatest_free = -1e9, least_full = 1e9, greatest_thin = -1e9;
-        for (int y = 0; y < 30; ++y) {
-            for (int x = 0; x < 40; ++x) {
-                const double n =
-                    noise::noise_reference(noise, {(x + 0.5) / 40, (y + 0.5) / 30, 0.5})[c];
-                const float value = map.image().texel(x, y)[c];
-                if (value > 0) least_covered = std::min(least_covered, n);
-                if (value == 0) greatest_free = std::max(greatest_free, n);
-                if (value == 1) least_full = std::min(least_full, n);
-                if (value < 1) greatest_thin = std::max(greatest_thin, n);
-            }
-        }
+        testing::for_each_voxel({40, 30, 1}, [&](int x, int y, int) {
+            const double n =
+                noise::noise_reference(noise, {(x + 0.5) / 40, (y + 0.5) / 30, 0.5})[c];
+            const float value = map.image().texel(x, y)[c];
+            if (value > 0) least_covered = std::min(least_covered, n);
+            if (value == 0) greatest_free = std::max(greatest_free, n);
+            if (value == 1) least_full = std::min(least_full, n);
+            if (value < 1) greatest_thin = std::max(greatest_thin, n);
+        });
         EXPECT_GT(least_covered, greatest_free - 1e-6) << c;
         EXPECT_GT(least_full, greatest_thin - 1e-6) << c;
     }

@@ -41,11 +41,9 @@ CellRanges ranges_of(const Volume& volume, OccupancyFilter filter) {
 template <class Visit>
 void for_each_cell(const std::array<int, 3>& size, const Visit& visit) {
     std::size_t index = 0;
-    for (int k = 0; k < size[2]; ++k) {
-        for (int j = 0; j < size[1]; ++j) {
-            for (int i = 0; i < size[0]; ++i) visit(std::array<int, 3>{i, j, k}, index++);
-        }
-    }
+    testing::for_each_voxel(size, [&](int i, int j, int k) {
+        visit(std::array<int, 3>{i, j, k}, index++);
+    });
 }
 
 CellRanges exact_ranges(const Volume& volume, int unit) {
@@ -223,11 +221,9 @@ Volume layered_volume(const CellGrid& grid) {
     Volume volume = test::volume_of(grid);
     for (int z = 0; z < grid.voxels[2]; ++z) {
         if (z % 24 >= 9) continue;
-        for (int y = 0; y < grid.voxels[1]; ++y) {
-            for (int x = 0; x < grid.voxels[0]; ++x) {
-                volume.at(x, y, z) = testing::sample_voxel(x, y, z, 1);
-            }
-        }
+        testing::for_each_texel(grid.voxels[0], grid.voxels[1], [&](int x, int y) {
+            volume.at(x, y, z) = testing::sample_voxel(x, y, z, 1);
+        });
     }
     return volume;
 }

@@ -12,6 +12,7 @@
 #include "config/assets/occupancy_filter.h"
 #include "tests/occupancy/exact_range.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/loops.h"
 
 namespace skybake::occupancy {
 namespace {
@@ -38,15 +39,11 @@ double unlike_referee(const Volume& volume, float threshold, int unit = 84) {
     const OccupiedCells cells = cells_of(volume, threshold);
     std::int64_t unlike = 0;
     std::size_t index = 0;
-    for (int k = 0; k < cells.size[2]; ++k) {
-        for (int j = 0; j < cells.size[1]; ++j) {
-            for (int i = 0; i < cells.size[0]; ++i) {
-                const bool above = test::exact_range(volume, {i, j, k}, unit).most >
-                                   8 * test::in_units(threshold, unit);
-                unlike += (cells.occupied[index++] != 0) == above ? 0 : 1;
-            }
-        }
-    }
+    testing::for_each_voxel(cells.size, [&](int i, int j, int k) {
+        const bool above =
+            test::exact_range(volume, {i, j, k}, unit).most > 8 * test::in_units(threshold, unit);
+        unlike += (cells.occupied[index++] != 0) == above ? 0 : 1;
+    });
     return static_cast<double>(unlike);
 }
 

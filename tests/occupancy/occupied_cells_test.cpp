@@ -38,15 +38,11 @@ TEST(OccupiedCells, AreThoseThatLookupsCanFind) {
             if (values == Values::denormals && threshold == 1.0F) continue;  // beyond its units
             const OccupiedCells cells = occupied_cells(ranges, threshold);
             std::size_t index = 0;
-            for (int k = 0; k < cells.size[2]; ++k) {
-                for (int j = 0; j < cells.size[1]; ++j) {
-                    for (int i = 0; i < cells.size[0]; ++i) {
-                        const test::ExactRange range = test::exact_range(volume, {i, j, k}, unit);
-                        const bool above = range.most > 8 * test::in_units(threshold, unit);
-                        RC_ASSERT((cells.occupied[index++] != 0) == above);
-                    }
-                }
-            }
+            testing::for_each_voxel(cells.size, [&](int i, int j, int k) {
+                const test::ExactRange range = test::exact_range(volume, {i, j, k}, unit);
+                const bool above = range.most > 8 * test::in_units(threshold, unit);
+                RC_ASSERT((cells.occupied[index++] != 0) == above);
+            });
         }
     }));
 }

@@ -6,6 +6,7 @@
 
 #include "config/assets/optical_depth.h"
 #include "tests/optical_depth/columns.h"
+#include "tests/support/loops.h"
 
 namespace skybake::test {
 namespace {
@@ -31,30 +32,23 @@ RoundTrip round_trip(const config::OpticalDepthBake& bake, const ColumnGeometry&
         return bake.size[axis] > 1 && (i == 0 || i + 1 == bake.size[axis]);
     };
     RoundTrip result;
-    for (int z = 0; z < bake.size[2]; ++z) {
-        for (int y = 0; y < bake.size[1]; ++y) {
-            for (int x = 0; x < bake.size[0]; ++x) {
-                const ColumnPath path = table.path_of_texel({x, y, z});
-                const double tiny = 1e-9 * geometry.shell.ground_radius_km;
-                const bool grazes =
-                    std::fabs(path.s_km + horizon_distance_km(geometry.shell, path.altitude_km)) <
-                    tiny;
-                const bool falls = path.s_km + path.length_km <= 0;
-                if (is_end(y, 1) || is_end(z, 2) || std::fabs(path.s_km) < tiny ||
-                    (grazes && falls)) {
-                    continue;
-                }
-                ++result.paths;
-                const auto uvw = table.texture_coordinates(path);
-                const std::array<int, 3> texel = {x, y, z};
-                double& worst = grazes ? result.grazing : result.within;
-                for (std::size_t axis = 0; axis < 3; ++axis) {
-                    worst = std::max(worst,
-                                     std::fabs(uvw[axis] - (texel[axis] + 0.5) / bake.size[axis]));
-                }
-            }
+    testing::for_each_voxel(bake.size, [&](int x, int y, int z) {
+        const ColumnPath path = table.path_of_texel({x, y, z});
+        const double tiny = 1e-9 * geometry.shell.ground_radius_km;
+        const bool grazes =
+            std::fabs(path.s_km + horizon_distance_km(geometry.shell, path.altitude_km)) < tiny;
+        const bool falls = path.s_km + path.length_km <= 0;
+        if (is_end(y, 1) || is_end(z, 2) || std::fabs(path.s_km) < tiny || (grazes && falls)) {
+            return;
         }
-    }
+        ++result.paths;
+        const auto uvw = table.texture_coordinates(path);
+        const std::array<int, 3> texel = {x, y, z};
+        double& worst = grazes ? result.grazing : result.within;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            worst = std::max(worst, std::fabs(uvw[axis] - (texel[axis] + 0.5) / bake.size[axis]));
+        }
+    });
     return result;
 }
 

@@ -12,6 +12,7 @@
 #include "bakers/plan/plan_files.h"
 #include "tests/config/recipes.h"
 #include "tests/support/cancelled_at.h"
+#include "tests/support/outcomes.h"
 
 namespace skybake {
 namespace {
@@ -83,15 +84,13 @@ TEST(PlanSky, WithoutLimitsItTakesTheKnee) {
 TEST(PlanSky, TheRecipeBakesWhatWasChosen) {
     const auto scene = request_of(kScene).load({});
     const std::string text = planned_recipe({&plan(), 1}, *scene.value);
-    const auto recipe = config::parse_recipe(text, "planned");
-    ASSERT_TRUE(recipe.value) << text << recipe.diagnostics.front().message;
-    const std::vector<config::Bake>& bakes = recipe.value->parameters.bakes;
+    const auto recipe = test::without_errors(config::parse_recipe(text, "planned"));
+    const std::vector<config::Bake>& bakes = recipe.parameters.bakes;
     const Way& chosen = plan().ways[plan().chosen].way;
     ASSERT_EQ(bakes.size(), chosen.assets.size());
     for (std::size_t i = 0; i < bakes.size(); ++i) {
         EXPECT_EQ(bakes[i].name, chosen.assets[i].name);
-        EXPECT_TRUE(
-            bake_asset(*recipe.value, bakes[i], {.certification = Certification::off}).value);
+        EXPECT_TRUE(bake_asset(recipe, bakes[i], {.certification = Certification::off}).value);
     }
 }
 
@@ -120,23 +119,21 @@ TEST(PlanSky, FiguresAreTakenFromTheCache) {
     PlanRequest request = request_of(kQuick);
     request.paths = 1 << 12;
     request.cache = folder.path() / "cache";
-    const auto first = plan_sky(request);
-    ASSERT_TRUE(first.value);
+    const auto first = test::without_errors(plan_sky(request));
     std::filesystem::path kept;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(request.cache)) {
         if (entry.path().extension() == ".json") kept = entry.path();
     }
     ASSERT_FALSE(kept.empty());
     const auto second = plan_sky(request);
-    EXPECT_EQ(plan_json({&*second.value, 1}), plan_json({&*first.value, 1})) << "times included";
+    EXPECT_EQ(plan_json({&*second.value, 1}), plan_json({&first, 1})) << "times included";
     // Damaged figures, and those of another scene, are measured again.
     std::ofstream(kept, std::ios::app) << "x";
-    const auto third = plan_sky(request);
-    ASSERT_TRUE(third.value);
-    EXPECT_EQ(third.value->ways[0].error.median, first.value->ways[0].error.median);
+    const auto third = test::without_errors(plan_sky(request));
+    EXPECT_EQ(third.ways[0].error.median, first.ways[0].error.median);
     request.load = request_of(kQuick + "[atmosphere]\nground_albedo = 0.8\n").load;
     const auto other = plan_sky(request);
-    EXPECT_NE(other.value->ways[0].error.median, first.value->ways[0].error.median);
+    EXPECT_NE(other.value->ways[0].error.median, first.ways[0].error.median);
 }
 
 TEST(PlanSky, LimitsThatNothingKeepsNameTheBest) {
@@ -172,10 +169,9 @@ TEST(PlanSky, ColoursOfManyWavelengthsHaveNoMarch) {
                                      "color.space = \"linear_srgb\"\n[scene]\n"
                                      "suns = [\"40 deg\"]\naltitude = [\"0 km\", \"1 m\"]\n"
                                      "sky_by = [\"march\", \"picture\"]\n");
-    const auto many = plan_sky(request);
-    ASSERT_TRUE(many.value) << many.diagnostics.at(0).message;
-    for (const MeasuredWay& way : many.value->ways) EXPECT_EQ(way.way.by, "picture");
-    EXPECT_LT(least_error("sky views", *many.value), 0.05);
+    const auto many = test::without_errors(plan_sky(request));
+    for (const MeasuredWay& way : many.ways) EXPECT_EQ(way.way.by, "picture");
+    EXPECT_LT(least_error("sky views", many), 0.05);
 }
 
 // Other parts of the light, in one scene.
@@ -205,12 +201,11 @@ TEST(PlanLight, LightOnTheGroundIsOfSunAndSky) {
     EXPECT_GT(least_error("light of the sun alone", plan), 0.1);
     for (const MeasuredWay& way : plan.ways) EXPECT_EQ(way.figures.fetches, 1);
     EXPECT_TRUE(plan.sheet.empty());
-    const auto colors = plan_light(
+    const auto colors = test::without_errors(plan_light(
         request_of("preset = \"earth_hillaire\"\ncolor = {}\n[scene]\nsuns = [\"20 deg\"]\n"),
-        config::Draws::ground_light);
-    ASSERT_TRUE(colors.value);
-    EXPECT_LT(least_error("light of sun and sky", *colors.value), 0.02);
-    EXPECT_EQ(colors.value->ways[0].error.left_out, 0);
+        config::Draws::ground_light));
+    EXPECT_LT(least_error("light of sun and sky", colors), 0.02);
+    EXPECT_EQ(colors.ways[0].error.left_out, 0);
 }
 
 TEST(PlanLight, SurroundingsAreMapsForEachSun) {
@@ -233,12 +228,11 @@ TEST(PlanLight, SurroundingsAreMapsForEachSun) {
 TEST(PlanLight, OneRecipeBakesAllThatWasChosen) {
     const Plan ground = plan_of(config::Draws::ground_light);
     const std::vector<Plan> plans = {plan_of(config::Draws::surroundings), ground, ground};
-    const auto recipe =
-        config::parse_recipe(planned_recipe(plans, *request_of(kScene).load({}).value), "planned");
-    ASSERT_TRUE(recipe.value) << recipe.diagnostics.front().message;
+    const auto recipe = test::without_errors(
+        config::parse_recipe(planned_recipe(plans, *request_of(kScene).load({}).value), "planned"));
     std::size_t assets = 0;
     for (std::size_t i = 0; i < 2; ++i) assets += plans[i].ways[plans[i].chosen].way.assets.size();
-    EXPECT_EQ(recipe.value->parameters.bakes.size(), assets);
+    EXPECT_EQ(recipe.parameters.bakes.size(), assets);
 }
 
 TEST(PlanSky, SkyViewsNeedSuns) {

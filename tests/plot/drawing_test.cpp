@@ -108,15 +108,13 @@ TEST(Painted, ShowsPicturesAsTheyAre) {
         const int x = *rc::gen::inRange(-20, 30), y = *rc::gen::inRange(-20, 30);
         drawing.items.emplace_back(PlacedPicture{picture, x, y});
         const Picture whole = painted(drawing);
-        for (int row = 0; row < 30; ++row) {
-            for (int column = 0; column < 30; ++column) {
-                const int from_x = column - x, from_y = row - y;
-                const bool within =
-                    from_x >= 0 && from_y >= 0 && from_x < picture.width && from_y < picture.height;
-                RC_ASSERT(pixel(whole, column, row) ==
-                          (within ? pixel(picture, from_x, from_y) : paper_colour));
-            }
-        }
+        testing::for_each_texel(30, 30, [&](int column, int row) {
+            const int from_x = column - x, from_y = row - y;
+            const bool within =
+                from_x >= 0 && from_y >= 0 && from_x < picture.width && from_y < picture.height;
+            RC_ASSERT(pixel(whole, column, row) ==
+                      (within ? pixel(picture, from_x, from_y) : paper_colour));
+        });
     }));
 }
 

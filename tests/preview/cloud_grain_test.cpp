@@ -74,14 +74,12 @@ Image2<double> marched(const CloudMedium& medium, const MarchSettings& settings)
 Image2<double> in_short_steps(const CloudMedium& medium, const MarchSettings& settings) {
     const CameraRays rays(settings.camera, kWidth, kHeight);
     Image2<double> sunlight(kWidth, kHeight, 1);
-    for (int y = 0; y < kHeight; ++y) {
-        for (int x = 0; x < kWidth; ++x) {
-            const ReferenceLayer ray = reference_scene({settings.layer(medium)}, settings.sun,
-                                                       settings.camera, rays.through(x, y), 768)
-                                           .layers[0];
-            *sunlight.texel(x, y) = ray.sun_at_base + ray.sun_at_top;
-        }
-    }
+    testing::for_each_texel(kWidth, kHeight, [&](int x, int y) {
+        const ReferenceLayer ray = reference_scene({settings.layer(medium)}, settings.sun,
+                                                   settings.camera, rays.through(x, y), 768)
+                                       .layers[0];
+        *sunlight.texel(x, y) = ray.sun_at_base + ray.sun_at_top;
+    });
     return sunlight;
 }
 

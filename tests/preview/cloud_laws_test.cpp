@@ -6,6 +6,7 @@
 
 #include "bakers/render/cloud_camera.h"
 #include "tests/preview/cloud_views.h"
+#include "tests/support/loops.h"
 
 namespace skybake {
 namespace {
@@ -38,16 +39,14 @@ TEST(CloudView, LetsThroughWhatBeerSays) {
         const Slab slab(tau, {40, 70});
         const Image2<float> view = march_view(slab.medium, slab.settings, 1).results;
         const CameraRays rays(slab.settings.camera, view.width, view.height);
-        for (int y = 0; y < view.height; ++y) {
-            for (int x = 0; x < view.width; ++x) {
-                const double length = slab.height / rays.through(x, y)[2];
-                // Samples within the layer: one more or less than its length in steps.
-                // Each of its floats rounds by 2^-24, exp by twice as much.
-                const double rounding = length / slab.settings.step_m * 0x1p-22;
-                EXPECT_NEAR(-std::log(double{view.texel(x, y)[kTransmittance]}),
-                            slab.sigma * length, slab.sigma * slab.settings.step_m + rounding);
-            }
-        }
+        testing::for_each_texel(view.width, view.height, [&](int x, int y) {
+            const double length = slab.height / rays.through(x, y)[2];
+            // Samples within the layer: one more or less than its length in steps.
+            // Each of its floats rounds by 2^-24, exp by twice as much.
+            const double rounding = length / slab.settings.step_m * 0x1p-22;
+            EXPECT_NEAR(-std::log(double{view.texel(x, y)[kTransmittance]}), slab.sigma * length,
+                        slab.sigma * slab.settings.step_m + rounding);
+        });
     }
 }
 
@@ -74,16 +73,14 @@ TEST(CloudView, ScattersSunlightAsTheClosedFormSays) {
         const glm::dvec3 sun = direction_of(65, 170);
         const Image2<float> view = march_view(slab.medium, slab.settings, 1).results;
         const CameraRays rays(slab.settings.camera, view.width, view.height);
-        for (int y = 0; y < view.height; ++y) {
-            for (int x = 0; x < view.width; ++x) {
-                const glm::dvec3 ray = rays.through(x, y);
-                const double wanted =
-                    slab_radiance(phase, tau, ray[2], sun[2], one_minus_cosine(ray, sun));
-                const double made =
-                    double{view.texel(x, y)[kSunAtBase]} + double{view.texel(x, y)[kSunAtTop]};
-                EXPECT_NEAR(made, wanted, 0.01 * wanted) << tau;
-            }
-        }
+        testing::for_each_texel(view.width, view.height, [&](int x, int y) {
+            const glm::dvec3 ray = rays.through(x, y);
+            const double wanted =
+                slab_radiance(phase, tau, ray[2], sun[2], one_minus_cosine(ray, sun));
+            const double made =
+                double{view.texel(x, y)[kSunAtBase]} + double{view.texel(x, y)[kSunAtTop]};
+            EXPECT_NEAR(made, wanted, 0.01 * wanted) << tau;
+        });
     }
 }
 

@@ -32,18 +32,16 @@ TEST(CloudSteps, ASlabLetsThroughWhatBeerSaysAtAnyGrowth) {
                 .results;
         double mean = 0;
         double least_steps = 1e9;
-        for (int y = 0; y < frame.height; ++y) {
-            for (int x = 0; x < frame.width; ++x) {
-                const double z = rays.through(x, y).z;
-                const double far_m = 1000 / z;
-                const double step_m = std::sqrt(4 + 8 * growth * rays.pixel() * far_m);
-                const double depth = sigma * 600 / z;
-                const double made = -std::log(double{seen.texel(x, y)[6]});
-                EXPECT_NEAR(made, depth, sigma * step_m + 1e-4) << growth << " " << z;
-                mean += (made / depth - 1) / (frame.width * frame.height);
-                least_steps = std::min(least_steps, 600 / z / step_m);
-            }
-        }
+        testing::for_each_texel(frame.width, frame.height, [&](int x, int y) {
+            const double z = rays.through(x, y).z;
+            const double far_m = 1000 / z;
+            const double step_m = std::sqrt(4 + 8 * growth * rays.pixel() * far_m);
+            const double depth = sigma * 600 / z;
+            const double made = -std::log(double{seen.texel(x, y)[6]});
+            EXPECT_NEAR(made, depth, sigma * step_m + 1e-4) << growth << " " << z;
+            mean += (made / depth - 1) / (frame.width * frame.height);
+            least_steps = std::min(least_steps, 600 / z / step_m);
+        });
         EXPECT_NEAR(mean, 0, 0.1 / least_steps) << growth;  // jitter leaves no bias
         EXPECT_GT(least_steps, 5);
     }

@@ -11,6 +11,7 @@
 #include "tests/noise/every_target.h"
 #include "tests/preview/cloud_views.h"
 #include "tests/preview/skies.h"
+#include "tests/support/loops.h"
 #include "tests/support/scene_reference.h"
 
 namespace skybake {
@@ -109,26 +110,23 @@ TEST(CloudView, IsTheDefinition) {
         const Image2<float> view = march_view(medium, settings, 1).results;
         const CameraRays rays(settings.camera, settings.width, settings.height);
         int opaque = 0;
-        for (int y = 0; y < settings.height; ++y) {
-            for (int x = 0; x < settings.width; ++x) {
-                const float* made = view.texel(x, y);
-                const ReferenceScene scene =
-                    reference_scene({settings.layer(medium)}, settings.sun, settings.camera,
-                                    rays.through(x, y), 700);
-                const ReferenceLayer& wanted = scene.layers[0];
-                const auto compare = [&](Result result, double reference) {
-                    EXPECT_NEAR(made[result], reference, 0.004 + 0.03 * reference)
-                        << "result " << result << ", sun " << sun.elevation_degrees;
-                };
-                compare(kTransmittance, scene.transmittance);
-                compare(kSunAtBase, wanted.sun_at_base);
-                compare(kSunAtTop, wanted.sun_at_top);
-                compare(kFromSky, wanted.from_sky);
-                compare(kFromGround, wanted.from_ground);
-                EXPECT_NEAR(made[kDistance], wanted.distance_m, 4 + 0.03 * wanted.distance_m);
-                opaque += scene.transmittance < 0.5 ? 1 : 0;
-            }
-        }
+        testing::for_each_texel(settings.width, settings.height, [&](int x, int y) {
+            const float* made = view.texel(x, y);
+            const ReferenceScene scene = reference_scene({settings.layer(medium)}, settings.sun,
+                                                         settings.camera, rays.through(x, y), 700);
+            const ReferenceLayer& wanted = scene.layers[0];
+            const auto compare = [&](Result result, double reference) {
+                EXPECT_NEAR(made[result], reference, 0.004 + 0.03 * reference)
+                    << "result " << result << ", sun " << sun.elevation_degrees;
+            };
+            compare(kTransmittance, scene.transmittance);
+            compare(kSunAtBase, wanted.sun_at_base);
+            compare(kSunAtTop, wanted.sun_at_top);
+            compare(kFromSky, wanted.from_sky);
+            compare(kFromGround, wanted.from_ground);
+            EXPECT_NEAR(made[kDistance], wanted.distance_m, 4 + 0.03 * wanted.distance_m);
+            opaque += scene.transmittance < 0.5 ? 1 : 0;
+        });
         EXPECT_GT(opaque, 5);
     }
 }

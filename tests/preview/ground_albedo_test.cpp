@@ -8,6 +8,8 @@
 #include <functional>
 #include <vector>
 
+#include "tests/support/loops.h"
+
 namespace skybake {
 namespace {
 
@@ -16,12 +18,10 @@ constexpr int kAcross = 300;
 // Mottles on a lattice of places 1 km apart, which is shifted.
 std::vector<double> mottles(double footprint_m, double shift_m = 0) {
     std::vector<double> values;
-    for (int y = 0; y < kAcross; ++y) {
-        for (int x = 0; x < kAcross; ++x) {
-            values.push_back(
-                ground_mottle(1013.0 * x - 150e3 + shift_m, 1009.0 * y - 150e3, footprint_m));
-        }
-    }
+    testing::for_each_texel(kAcross, kAcross, [&](int x, int y) {
+        values.push_back(
+            ground_mottle(1013.0 * x - 150e3 + shift_m, 1009.0 * y - 150e3, footprint_m));
+    });
     return values;
 }
 

@@ -10,6 +10,7 @@
 #include "bakers/render/scene_view.h"
 #include "tests/preview/clouds.h"
 #include "tests/preview/skies.h"
+#include "tests/support/loops.h"
 
 namespace skybake {
 namespace {
@@ -72,18 +73,16 @@ TEST(GroundShadow, OfOneTileIsThatOfItsBox) {
         const Image2<float> seen = march.march(frame, 1, nullptr).results;
         int dark = 0;
         int lit = 0;
-        for (int y = 0; y < frame.height; ++y) {
-            for (int x = 0; x < frame.width; ++x) {
-                const double way = way_in_tile(seen_on_ground(frame, x, y), to_sun);
-                const double direct = seen.texel(x, y)[7];
-                // Density falls to 0 over the outermost half voxel, 25 m.
-                const double edge = 25 / std::min(std::fabs(to_sun.x), std::fabs(to_sun.y));
-                const double error = 1 - std::exp(-kExtinction * std::min(edge, way));
-                EXPECT_NEAR(direct, std::exp(-kExtinction * way), error + 0.03) << elevation;
-                dark += direct < 0.1 ? 1 : 0;
-                lit += direct > 0.99 ? 1 : 0;
-            }
-        }
+        testing::for_each_texel(frame.width, frame.height, [&](int x, int y) {
+            const double way = way_in_tile(seen_on_ground(frame, x, y), to_sun);
+            const double direct = seen.texel(x, y)[7];
+            // Density falls to 0 over the outermost half voxel, 25 m.
+            const double edge = 25 / std::min(std::fabs(to_sun.x), std::fabs(to_sun.y));
+            const double error = 1 - std::exp(-kExtinction * std::min(edge, way));
+            EXPECT_NEAR(direct, std::exp(-kExtinction * way), error + 0.03) << elevation;
+            dark += direct < 0.1 ? 1 : 0;
+            lit += direct > 0.99 ? 1 : 0;
+        });
         EXPECT_GT(dark, 20) << elevation;
         EXPECT_GT(dark + lit, 60) << elevation;
     }
@@ -135,21 +134,19 @@ TEST(GroundShadow, BeyondTheReachIsTheMean) {
     const Image2<float> seen = march.march(frame, 1, nullptr).results;
     const CameraRays rays(frame.camera, frame.width, frame.height);
     std::array<int, 3> pixels{};  // of the sky, of near ground and of far ground
-    for (int y = 0; y < frame.height; ++y) {
-        for (int x = 0; x < frame.width; ++x) {
-            const double z = rays.through(x, y).z;
-            const double direct = seen.texel(x, y)[7];
-            if (z > 0) {
-                EXPECT_EQ(direct, 1);
-                ++pixels[0];
-            } else if (900 / -z > 3000) {
-                EXPECT_NEAR(direct, march.direct(), 1e-6);
-                ++pixels[2];
-            } else {
-                pixels[1] += direct < 0.05 || direct > 0.95 ? 1 : -1;
-            }
+    testing::for_each_texel(frame.width, frame.height, [&](int x, int y) {
+        const double z = rays.through(x, y).z;
+        const double direct = seen.texel(x, y)[7];
+        if (z > 0) {
+            EXPECT_EQ(direct, 1);
+            ++pixels[0];
+        } else if (900 / -z > 3000) {
+            EXPECT_NEAR(direct, march.direct(), 1e-6);
+            ++pixels[2];
+        } else {
+            pixels[1] += direct < 0.05 || direct > 0.95 ? 1 : -1;
         }
-    }
+    });
     for (const int count : pixels) EXPECT_GT(count, 50);
 }
 

@@ -43,21 +43,18 @@ double largest_error(const test::Sky& sky, const SolvedSky* solved, const CloudC
     const SunZenith zenith = sun_at_elevation(sun.elevation_degrees / kDegreesPerRadian);
     const CameraRays rays(camera, settings.width, settings.height);
     double largest = 0;
-    for (int y = 0; y < settings.height; ++y) {
-        for (int x = 0; x < settings.width; ++x) {
-            const glm::dvec3 ray = rays.through(x, y);
-            const double level = std::hypot(ray.x, ray.y);
-            const double azimuth =
-                std::atan2(ray.y, ray.x) - sun.azimuth_degrees / kDegreesPerRadian;
-            const Spectrum expected = truth.wanted(truth.integrator().radiance(
-                camera.position_m.z / 1000, zenith,
-                sky_direction(zenith, ray.z, level, std::cos(azimuth))));
-            for (int c = 0; c < seen.channels; ++c) {
-                const double wanted = expected[static_cast<std::size_t>(c)];
-                largest = std::max(largest, std::fabs(double{seen.texel(x, y)[c]} / wanted - 1));
-            }
+    testing::for_each_texel(settings.width, settings.height, [&](int x, int y) {
+        const glm::dvec3 ray = rays.through(x, y);
+        const double level = std::hypot(ray.x, ray.y);
+        const double azimuth = std::atan2(ray.y, ray.x) - sun.azimuth_degrees / kDegreesPerRadian;
+        const Spectrum expected = truth.wanted(
+            truth.integrator().radiance(camera.position_m.z / 1000, zenith,
+                                        sky_direction(zenith, ray.z, level, std::cos(azimuth))));
+        for (int c = 0; c < seen.channels; ++c) {
+            const double wanted = expected[static_cast<std::size_t>(c)];
+            largest = std::max(largest, std::fabs(double{seen.texel(x, y)[c]} / wanted - 1));
         }
-    }
+    });
     return largest;
 }
 

@@ -8,6 +8,7 @@
 
 #include "bakers/render/scene_march.h"
 #include "tests/preview/clouds.h"
+#include "tests/support/loops.h"
 
 namespace skybake {
 namespace {
@@ -98,16 +99,14 @@ double refined_share(const CloudMedium& medium) {
     const MarchedScene thin = marched(Refinement::thin);
     int refined = 0;
     int differences = 0;
-    for (int y = 0; y < one.height; ++y) {
-        for (int x = 0; x < one.width; ++x) {
-            const bool needs = OneSample{one}.stands_out(x, y);
-            const float* wanted = (needs ? four : one).texel(x, y);
-            EXPECT_TRUE(std::equal(wanted, wanted + one.channels, thin.results.texel(x, y)))
-                << x << " " << y;
-            refined += needs ? 1 : 0;
-            differences += std::equal(wanted, wanted + one.channels, one.texel(x, y)) ? 0 : 1;
-        }
-    }
+    testing::for_each_texel(one.width, one.height, [&](int x, int y) {
+        const bool needs = OneSample{one}.stands_out(x, y);
+        const float* wanted = (needs ? four : one).texel(x, y);
+        EXPECT_TRUE(std::equal(wanted, wanted + one.channels, thin.results.texel(x, y)))
+            << x << " " << y;
+        refined += needs ? 1 : 0;
+        differences += std::equal(wanted, wanted + one.channels, one.texel(x, y)) ? 0 : 1;
+    });
     EXPECT_EQ(thin.refined_pixels, refined);
     EXPECT_GT(differences, refined / 2);
     return double(refined) / (one.width * one.height);
@@ -133,21 +132,18 @@ TEST(SceneRefinement, SamplesLieWithinTheirPixel) {
     const Image2<float> four = march.march(frame, 1, nullptr).results;
     const Image2<float> parts = march.march(frame_of(24 * kParts, 16 * kParts), 1, nullptr).results;
     double widest = 0;
-    for (int y = 0; y < four.height; ++y) {
-        for (int x = 0; x < four.width; ++x) {
-            float least = 1;
-            float most = 0;
-            for (int k = 0; k < kParts * kParts; ++k) {
-                const float through =
-                    parts.texel(x * kParts + k % kParts, y * kParts + k / kParts)[6];
-                least = std::min(least, through);
-                most = std::max(most, through);
-            }
-            EXPECT_GE(four.texel(x, y)[6], least - 0.01F) << x << " " << y;
-            EXPECT_LE(four.texel(x, y)[6], most + 0.01F) << x << " " << y;
-            widest = std::max(widest, double{most} - double{least});
+    testing::for_each_texel(four.width, four.height, [&](int x, int y) {
+        float least = 1;
+        float most = 0;
+        for (int k = 0; k < kParts * kParts; ++k) {
+            const float through = parts.texel(x * kParts + k % kParts, y * kParts + k / kParts)[6];
+            least = std::min(least, through);
+            most = std::max(most, through);
         }
-    }
+        EXPECT_GE(four.texel(x, y)[6], least - 0.01F) << x << " " << y;
+        EXPECT_LE(four.texel(x, y)[6], most + 0.01F) << x << " " << y;
+        widest = std::max(widest, double{most} - double{least});
+    });
     EXPECT_GT(widest, 0.5);
 }
 

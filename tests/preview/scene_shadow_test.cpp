@@ -8,6 +8,7 @@
 #include "bakers/render/scene_view.h"
 #include "bakers/render/sky_view.h"
 #include "tests/preview/scenes.h"
+#include "tests/support/loops.h"
 
 namespace skybake {
 namespace {
@@ -101,14 +102,12 @@ TEST(SceneView, ShadowsLieUnderTheirClouds) {
     frame.ground = true;
     const Image2<float> results = march.march(frame, 1, nullptr).results;
     const CameraRays rays(frame.camera, 32, 32);
-    for (int y = 0; y < 32; ++y) {
-        for (int x = 0; x < 32; ++x) {
-            const glm::dvec3 ray = rays.through(x, y);
-            const double at = 800 - ray.x / ray.z * 500;
-            if (std::fabs(at - 800) < 60) continue;
-            EXPECT_NEAR(results.texel(x, y)[7], at < 800 ? 0 : 1, 1e-3) << at;
-        }
-    }
+    testing::for_each_texel(32, 32, [&](int x, int y) {
+        const glm::dvec3 ray = rays.through(x, y);
+        const double at = 800 - ray.x / ray.z * 500;
+        if (std::fabs(at - 800) < 60) return;
+        EXPECT_NEAR(results.texel(x, y)[7], at < 800 ? 0 : 1, 1e-3) << at;
+    });
 }
 
 TEST(SceneView, FadesWithinTheReach) {

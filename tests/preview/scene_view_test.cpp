@@ -8,6 +8,7 @@
 
 #include "tests/noise/every_target.h"
 #include "tests/preview/scenes.h"
+#include "tests/support/loops.h"
 #include "tests/support/scene_reference.h"
 
 namespace skybake {
@@ -21,23 +22,21 @@ void expect_definition(const ThreeLayers& three, const SunDirection& sun, const 
         SceneMarch(layers, sun, true, true, 1).march(frame, 1, nullptr).results;
     const CameraRays rays(frame.camera, frame.width, frame.height);
     int cloudy = 0;
-    for (int y = 0; y < frame.height; ++y) {
-        for (int x = 0; x < frame.width; ++x) {
-            const float* seen = made.texel(x, y);
-            const ReferenceScene wanted =
-                reference_scene(layers, sun, frame.camera, rays.through(x, y), 700);
-            EXPECT_NEAR(seen[18], wanted.transmittance, 0.006 + 0.03 * wanted.transmittance);
-            for (const ReferenceLayer& layer : wanted.layers) {
-                const double values[] = {layer.sun_at_base, layer.sun_at_top, layer.from_sky,
-                                         layer.from_ground, layer.opacity};
-                for (const double value : values) {
-                    EXPECT_NEAR(*seen++, value, 0.006 + 0.03 * value) << sun.elevation_degrees;
-                }
-                EXPECT_NEAR(*seen++, layer.distance_m, 8 + 0.03 * layer.distance_m);
+    testing::for_each_texel(frame.width, frame.height, [&](int x, int y) {
+        const float* seen = made.texel(x, y);
+        const ReferenceScene wanted =
+            reference_scene(layers, sun, frame.camera, rays.through(x, y), 700);
+        EXPECT_NEAR(seen[18], wanted.transmittance, 0.006 + 0.03 * wanted.transmittance);
+        for (const ReferenceLayer& layer : wanted.layers) {
+            const double values[] = {layer.sun_at_base, layer.sun_at_top, layer.from_sky,
+                                     layer.from_ground, layer.opacity};
+            for (const double value : values) {
+                EXPECT_NEAR(*seen++, value, 0.006 + 0.03 * value) << sun.elevation_degrees;
             }
-            cloudy += wanted.transmittance < 0.9 ? 1 : 0;
+            EXPECT_NEAR(*seen++, layer.distance_m, 8 + 0.03 * layer.distance_m);
         }
-    }
+        cloudy += wanted.transmittance < 0.9 ? 1 : 0;
+    });
     EXPECT_GT(cloudy, 6);
 }
 

@@ -7,6 +7,7 @@
 
 #include "bakers/render/sky_rays.h"
 #include "tests/preview/skies.h"
+#include "tests/support/loops.h"
 
 namespace skybake {
 namespace {
@@ -36,12 +37,10 @@ double light_of(const Image2<float>& picture, const SkyView& view) {
     const double across = 2 * std::numbers::pi / view.width;
     const double up = (view.highest_degrees - view.lowest_degrees) * kRadians / view.height;
     double light = 0;
-    for (int y = 0; y < view.height; ++y) {
-        for (int x = 0; x < view.width; ++x) {
-            const double mu = direction_at(view, x, y)->mu;
-            light += across * up * std::sqrt(1 - mu * mu) * double{*picture.texel(x, y)};
-        }
-    }
+    testing::for_each_texel(view.width, view.height, [&](int x, int y) {
+        const double mu = direction_at(view, x, y)->mu;
+        light += across * up * std::sqrt(1 - mu * mu) * double{*picture.texel(x, y)};
+    });
     return light;
 }
 
@@ -107,21 +106,18 @@ TEST(Glare, IsNoneFromARightAngleOn) {
     for (const Glare glare : {Glare::camera, Glare::eye}) {
         const Image2<float> veiled = picture_of(view, glare);
         int behind = 0;
-        for (int y = 0; y < view.height; ++y) {
-            for (int x = 0; x < view.width; ++x) {
-                const double cosine = direction_at(view, x, y)->cosine_to_sun;
-                const float added = *veiled.texel(x, y) - *plain.texel(x, y);
-                if (cosine <= 0) {
-                    EXPECT_EQ(added, 0) << x << ", " << y;
-                    behind += cosine < -0.86 ? 1 : 0;
-                } else if (cosine < 0.97) {  // nearer ones are means over pixels
-                    const double degrees = std::acos(cosine) / kRadians;
-                    const double veil =
-                        glare == Glare::eye ? glare_veil(degrees) : lens_veil(degrees);
-                    EXPECT_NEAR(added / (sunlight(30) * cosine * veil), 1, 0.01) << degrees;
-                }
+        testing::for_each_texel(view.width, view.height, [&](int x, int y) {
+            const double cosine = direction_at(view, x, y)->cosine_to_sun;
+            const float added = *veiled.texel(x, y) - *plain.texel(x, y);
+            if (cosine <= 0) {
+                EXPECT_EQ(added, 0) << x << ", " << y;
+                behind += cosine < -0.86 ? 1 : 0;
+            } else if (cosine < 0.97) {  // nearer ones are means over pixels
+                const double degrees = std::acos(cosine) / kRadians;
+                const double veil = glare == Glare::eye ? glare_veil(degrees) : lens_veil(degrees);
+                EXPECT_NEAR(added / (sunlight(30) * cosine * veil), 1, 0.01) << degrees;
             }
-        }
+        });
         EXPECT_GT(behind, 50);
     }
 }

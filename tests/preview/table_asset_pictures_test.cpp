@@ -10,6 +10,7 @@
 #include <string>
 
 #include "bakers/preview/pictures/asset_pictures.h"
+#include "tests/support/loops.h"
 
 namespace skybake {
 
@@ -120,13 +121,9 @@ PreviewAsset mask_of(const std::array<int, 3>& size,
     asset.entry.size = {size[0], size[1], size[2]};
     asset.entry.axes.resize(3);
     asset.entry.channels = {"Y"};
-    for (int t = 0; t < size[2]; ++t) {
-        for (int y = 0; y < size[1]; ++y) {
-            for (int x = 0; x < size[0]; ++x) {
-                asset.voxels.push_back(static_cast<float>(value(x, y, t)));
-            }
-        }
-    }
+    testing::for_each_voxel(size, [&](int x, int y, int t) {
+        asset.voxels.push_back(static_cast<float>(value(x, y, t)));
+    });
     return asset;
 }
 

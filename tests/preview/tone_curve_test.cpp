@@ -8,6 +8,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/support/loops.h"
+
 namespace skybake {
 namespace {
 
@@ -25,9 +27,9 @@ constexpr std::array kCurves = {ToneCurve::film, ToneCurve::exponential, ToneCur
 Picture field(const std::vector<float>& values, double exposure,
               ToneCurve curve = ToneCurve::exponential) {
     Image2<float> image(kEdge, kEdge, static_cast<int>(values.size()));
-    for (int y = 0; y < kEdge; ++y) {
-        for (int x = 0; x < kEdge; ++x) std::copy(values.begin(), values.end(), image.texel(x, y));
-    }
+    testing::for_each_texel(kEdge, kEdge, [&](int x, int y) {
+        std::copy(values.begin(), values.end(), image.texel(x, y));
+    });
     return tone_mapped(image, exposure, curve);
 }
 

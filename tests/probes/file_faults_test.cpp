@@ -47,7 +47,7 @@ BakedFile file_of_table(const fs::path& folder, const ManifestAsset& asset) {
     BakedFile file;
     file.name = asset.name;
     file.dimensions = 2;
-    const ExrImage image = *read_exr(folder / asset.files[0].path).value;
+    const ExrImage image = read_exr(folder / asset.files[0].path);
     file.texels.size = {image.pixels.width, image.pixels.height, 1};
     file.texels.channels = static_cast<std::size_t>(image.pixels.channels);
     file.texels.values.assign(image.pixels.texels.begin(), image.pixels.texels.end());

@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "tests/support/loops.h"
+
 namespace skybake::testing {
 
 using Uvw = std::array<double, 3>;
@@ -40,15 +42,11 @@ inline int index_on(int i, int size, bool repeats) {
 template <class Value>
 Texels made(const std::array<int, 3>& size, std::size_t channels, const Value& value) {
     Texels texels{size, channels, {}};
-    for (int z = 0; z < size[2]; ++z) {
-        for (int y = 0; y < size[1]; ++y) {
-            for (int x = 0; x < size[0]; ++x) {
-                for (std::size_t c = 0; c < channels; ++c) {
-                    texels.values.push_back(value(std::array<int, 3>{x, y, z}, c));
-                }
-            }
+    testing::for_each_voxel(size, [&](int x, int y, int z) {
+        for (std::size_t c = 0; c < channels; ++c) {
+            texels.values.push_back(value(std::array<int, 3>{x, y, z}, c));
         }
-    }
+    });
     return texels;
 }
 

@@ -6,6 +6,7 @@
 #include "bakers/render/cloud_view.h"
 #include "bakers/render/scene_march.h"
 #include "bakers/render/scene_view.h"
+#include "tests/support/loops.h"
 
 namespace skybake {
 
@@ -34,15 +35,13 @@ inline MarchedView march_view(const CloudMedium& medium, const MarchSettings& se
                            settings.leaping, threads);
     const MarchedScene marched = march.march(settings.frame(), threads, nullptr);
     MarchedView view = {{settings.width, settings.height, MarchedView::kChannels}, marched.fetches};
-    for (int y = 0; y < settings.height; ++y) {
-        for (int x = 0; x < settings.width; ++x) {
-            const float* seen = marched.results.texel(x, y);
-            float* out = view.results.texel(x, y);
-            std::copy(seen, seen + 4, out);
-            out[4] = seen[MarchedScene::kLayerChannels];
-            out[5] = seen[5];
-        }
-    }
+    testing::for_each_texel(settings.width, settings.height, [&](int x, int y) {
+        const float* seen = marched.results.texel(x, y);
+        float* out = view.results.texel(x, y);
+        std::copy(seen, seen + 4, out);
+        out[4] = seen[MarchedScene::kLayerChannels];
+        out[5] = seen[5];
+    });
     return view;
 }
 

@@ -10,18 +10,9 @@
 #include <vector>
 
 #include "bakers/field/baked.h"
+#include "tests/support/loops.h"
 
 namespace skybake::testing {
-
-// Calls a function of (x, y, z) for each voxel of a volume, in the order of files.
-template <class Visit, class Size = std::array<int, 3>>
-void for_each_voxel(const Size& size, const Visit& visit) {
-    for (int z = 0; z < size[2]; ++z) {
-        for (int y = 0; y < size[1]; ++y) {
-            for (int x = 0; x < size[0]; ++x) visit(x, y, z);
-        }
-    }
-}
 
 // Calls a function of (x, y, z, channel) for each voxel.
 class FunctionVoxels : public VoxelSource {

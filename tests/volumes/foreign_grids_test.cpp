@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "bakers/io/formats/vdb/vdb_file.h"
+#include "tests/support/outcomes.h"
 #include "tests/volumes/vdb_files.h"
 
 namespace skybake {
@@ -29,19 +30,16 @@ void expect_numbers_of(const char* value_type) {
     const auto grid = Grid::create(2);
     const FloatGrid::Ptr wanted = FloatGrid::create(2);
     grid->setName("density");
-    for (int i = 0; i < 500; ++i) {
-        const Coord at(i * 7 % 61 - 20, i * 13 % 45 - 5, i * 29 % 37);
-        const int value = i % 97 - 3;
-        if (i % 5 == 0) {
-            grid->tree().setValueOff(at, static_cast<typename Grid::ValueType>(value));
-            wanted->tree().setValueOff(at, static_cast<float>(value));
-        } else {
-            grid->tree().setValueOn(at, static_cast<typename Grid::ValueType>(value));
-            wanted->tree().setValueOn(at, static_cast<float>(value));
+    const auto set_numbers = []<class T>(T& tree) {
+        for (int i = 0; i < 500; ++i) {
+            const Coord at(i * 7 % 61 - 20, i * 13 % 45 - 5, i * 29 % 37);
+            const auto value = static_cast<typename T::ValueType>(i % 97 - 3);
+            i % 5 == 0 ? tree.setValueOff(at, value) : tree.setValueOn(at, value);
         }
-    }
-    grid->fill({Coord(-32, 0, 8), Coord(-25, 7, 15)}, 5);
-    wanted->fill({Coord(-32, 0, 8), Coord(-25, 7, 15)}, 5);
+        tree.fill({Coord(-32, 0, 8), Coord(-25, 7, 15)}, 5);
+    };
+    set_numbers(grid->tree());
+    set_numbers(wanted->tree());
     for (const std::uint32_t compression :
          {std::uint32_t{openvdb::io::COMPRESS_NONE}, std::uint32_t{openvdb::io::COMPRESS_ZIP},
           openvdb::io::COMPRESS_BLOSC | std::uint32_t{openvdb::io::COMPRESS_ACTIVE_MASK}}) {
@@ -92,9 +90,8 @@ TEST(ForeignGrid, MayStandInAStream) {
     for (const char* name : {"one.vdb", "two.vdb"}) {
         const FileVoxels file = opened(folder / name);
         expect_same_voxels(*first, file, {{-40, -30, -9}, {90, 80, 60}});
-        const auto described = read_vdb(folder / name);
-        ASSERT_TRUE(described.value);
-        EXPECT_EQ(described.value->grids.back().name, "density");
+        const auto described = test::without_errors(read_vdb(folder / name));
+        EXPECT_EQ(described.grids.back().name, "density");
     }
     const auto mask = openvdb::MaskGrid::create();
     mask->setName("m");
@@ -134,30 +131,18 @@ TEST(ForeignGrid, TurnedByRightAnglesOrMirroredIsPermuted) {
         grid->setTransform(transform);
         write_grid(grid, folder / "v.vdb");
         const FileVoxels file = opened(folder / "v.vdb");
-        ASSERT_NE(file.voxels, nullptr);
         const VoxelBox box{file.first, file.size};
-        std::vector<float> values(static_cast<std::size_t>(box.count()));
-        file.voxels->fill(box, {values.data()});
-        int wrong = 0;
         double sum = 0;
-        std::size_t i = 0;
-        for (int z = 0; z < box.size[2]; ++z) {
-            for (int y = 0; y < box.size[1]; ++y) {
-                for (int x = 0; x < box.size[0]; ++x, ++i) {
-                    const std::array<int, 3> at = {x, y, z};
-                    openvdb::Vec3d centre;
-                    for (int a = 0; a < 3; ++a) {
-                        const auto axis = static_cast<std::size_t>(a);
-                        centre[a] = file.index_origin[axis] +
-                                    (box.origin[axis] + at[axis] + 0.5) * file.voxel_size[axis];
-                    }
-                    const Coord index = transform->worldToIndexCellCentered(centre);
-                    wrong += values[i] != grid->tree().getValue(index);
-                    sum += values[i];
-                }
+        testing::expect_voxels_at<Coord>(file, box, [&](const Coord& at) {
+            openvdb::Vec3d centre;
+            for (int a = 0; a < 3; ++a) {
+                const auto axis = static_cast<std::size_t>(a);
+                centre[a] = file.index_origin[axis] + (at[a] + 0.5) * file.voxel_size[axis];
             }
-        }
-        EXPECT_EQ(wrong, 0);
+            const Coord index = transform->worldToIndexCellCentered(centre);
+            sum += grid->tree().getValue(index);
+            return grid->tree().getValue(index);
+        });
         EXPECT_GT(sum, 100) << "the box holds the voxels";
         for (int x = 0; x < box.size[0]; x += 5) {
             const VoxelBox part{{box.origin[0] + x, box.origin[1], box.origin[2]}, {4, 5, 6}};
@@ -203,15 +188,14 @@ TEST(ForeignGrid, SaysWhichVoxelsAreNoDensities) {
                            "not_finite = \"background\" takes the background in their place"),
               std::string::npos)
         << message;
-    const auto file = open_vdb_grid(folder / "v.vdb", "density", VolumePart::voxels,
-                                    config::NotFinite::background);
-    ASSERT_TRUE(file.value);
-    EXPECT_EQ(file.value->faults.negative.count, 1);
-    EXPECT_EQ(file.value->faults.negative.index, (std::array<std::int64_t, 3>{9, 9, 9}));
-    EXPECT_LE(file.value->largest, 1);
+    const auto file = test::without_errors(open_vdb_grid(
+        folder / "v.vdb", "density", VolumePart::voxels, config::NotFinite::background));
+    EXPECT_EQ(file.faults.negative.count, 1);
+    EXPECT_EQ(file.faults.negative.index, (std::array<std::int64_t, 3>{9, 9, 9}));
+    EXPECT_LE(file.largest, 1);
     grid->tree().setValue(Coord(-19, 8, 5), 0.25F);
     grid->tree().setValue(Coord(30, 31, 32), 0.25F);
-    expect_same_voxels(*grid, *file.value, {{-40, -30, -9}, {90, 80, 60}});
+    expect_same_voxels(*grid, file, {{-40, -30, -9}, {90, 80, 60}});
 }
 
 TEST(ForeignGrid, IsDescribedByWhatItHolds) {
@@ -224,10 +208,9 @@ TEST(ForeignGrid, IsDescribedByWhatItHolds) {
     openvdb::io::File((folder / "v.vdb").string())
         .write({named(openvdb::BoolGrid::create(), "b"), named(openvdb::MaskGrid::create(), "m"),
                 named(openvdb::Vec3SGrid::create(), "v"), named(FloatGrid::create(), "f")});
-    const auto file = read_vdb(folder / "v.vdb");
-    ASSERT_TRUE(file.value);
+    const auto file = test::without_errors(read_vdb(folder / "v.vdb"));
     std::string types;
-    for (const VdbGrid& grid : file.value->grids) {
+    for (const VdbGrid& grid : file.grids) {
         types += grid.value_type + " ";
         EXPECT_TRUE(grid.empty) << grid.name;
         EXPECT_EQ(grid.active_voxels, 0);

@@ -28,22 +28,11 @@ FileVoxels opened_nvdb(const std::filesystem::path& path, const std::string& gri
     return test::without_diagnostics(open_nvdb_grid(path, grid, VolumePart::voxels));
 }
 
-// Expects that voxels of a box are those that NanoVDB's accessor finds.
 template <class Build>
 void expect_accessors_voxels(const Handle& handle, const FileVoxels& file, const VoxelBox& box) {
     const auto accessor = handle.grid<Build>()->getAccessor();
-    const auto planes = testing::planes_of(*file.voxels, box, 1);
-    std::size_t i = 0;
-    int wrong = 0;
-    for (int z = 0; z < box.size[2]; ++z) {
-        for (int y = 0; y < box.size[1]; ++y) {
-            for (int x = 0; x < box.size[0]; ++x, ++i) {
-                const nanovdb::Coord at(box.origin[0] + x, box.origin[1] + y, box.origin[2] + z);
-                wrong += planes[0][i] != accessor.getValue(at);
-            }
-        }
-    }
-    EXPECT_EQ(wrong, 0) << "of " << i;
+    testing::expect_voxels_at<nanovdb::Coord>(
+        file, box, [&](const nanovdb::Coord& at) { return accessor.getValue(at); });
 }
 
 template <class Build>
@@ -53,12 +42,7 @@ void expect_grid(const FloatGrid& grid, float background) {
     nanovdb::io::writeGrid((folder / "v.nvdb").string(), handle);
     const FileVoxels file = opened_nvdb(folder / "v.nvdb");
     EXPECT_EQ(file.background, background);
-    const openvdb::CoordBBox active = grid.evalActiveVoxelBoundingBox();
-    for (int i = 0; i < 3; ++i) {
-        const auto axis = static_cast<std::size_t>(i);
-        EXPECT_EQ(file.first[axis], active.min()[i]);
-        EXPECT_EQ(file.size[axis], active.dim()[i]);
-    }
+    testing::expect_active_box(grid, file);
     expect_accessors_voxels<Build>(handle, file, {file.first, file.size});
     expect_accessors_voxels<Build>(handle, file, {{-40, -30, -9}, {90, 80, 60}});
     expect_accessors_voxels<Build>(handle, file, {{-3, 2, 5}, {4, 1, 11}});

@@ -247,15 +247,13 @@ TEST(ResampledVolume, LosesNothingAcrossItsSeams) {
         for (const Size& size : {Size{16, 12, 4}, Size{12, 9, 4}, Size{5, 4, 3}}) {
             const ResampledVolume voxels(knowing, size);
             const ResampledVolume looking(volume, size);
-            for (int y = 0; y < size[1]; ++y) {
-                for (int x = 0; x < size[0]; ++x) {
-                    const VoxelBox column{{x, y, 0}, {1, 1, size[2]}};
-                    const auto wanted = testing::planes_of(looking, column, 1)[0];
-                    EXPECT_EQ(testing::planes_of(voxels, column, 1)[0], wanted) << x << " " << y;
-                    const std::vector<float> nothing(wanted.size(), 0.0F);
-                    EXPECT_TRUE(!voxels.is_empty(column) || wanted == nothing) << x << " " << y;
-                }
-            }
+            testing::for_each_texel(size[0], size[1], [&](int x, int y) {
+                const VoxelBox column{{x, y, 0}, {1, 1, size[2]}};
+                const auto wanted = testing::planes_of(looking, column, 1)[0];
+                EXPECT_EQ(testing::planes_of(voxels, column, 1)[0], wanted) << x << " " << y;
+                const std::vector<float> nothing(wanted.size(), 0.0F);
+                EXPECT_TRUE(!voxels.is_empty(column) || wanted == nothing) << x << " " << y;
+            });
         }
     }
 }

@@ -87,24 +87,36 @@ inline FileVoxels opened(const std::filesystem::path& path, const std::string& g
     return test::without_diagnostics(open_vdb_grid(path, grid, VolumePart::voxels));
 }
 
-// Expects that voxels of a box are those that OpenVDB's accessor finds.
-inline void expect_same_voxels(const FloatGrid& grid, const FileVoxels& file, const VoxelBox& box,
-                               float tolerance = 0) {
-    std::vector<float> values(static_cast<std::size_t>(box.count()));
+// Expects that voxels of a box are those that a library finds at an index of the file.
+template <class Index, class Wanted>
+void expect_voxels_at(const FileVoxels& file, const VoxelBox& box, const Wanted& wanted,
+                      float tolerance = 0) {
     ASSERT_NE(file.voxels, nullptr);
-    file.voxels->fill(box, {values.data()});
-    const FloatGrid::ConstAccessor voxels = grid.getConstAccessor();
+    const std::vector<float> values = planes_of(*file.voxels, box, 1)[0];
     std::size_t i = 0;
     int wrong = 0;
-    for (int z = 0; z < box.size[2]; ++z) {
-        for (int y = 0; y < box.size[1]; ++y) {
-            for (int x = 0; x < box.size[0]; ++x, ++i) {
-                const Coord at(box.origin[0] + x, box.origin[1] + y, box.origin[2] + z);
-                if (std::abs(values[i] - voxels.getValue(at)) > tolerance) ++wrong;
-            }
-        }
-    }
+    for_each_voxel(box.size, [&](int x, int y, int z) {
+        const Index at(box.origin[0] + x, box.origin[1] + y, box.origin[2] + z);
+        if (std::abs(values[i++] - wanted(at)) > tolerance) ++wrong;
+    });
     EXPECT_EQ(wrong, 0) << "of " << values.size();
+}
+
+inline void expect_same_voxels(const FloatGrid& grid, const FileVoxels& file, const VoxelBox& box,
+                               float tolerance = 0) {
+    const FloatGrid::ConstAccessor voxels = grid.getConstAccessor();
+    expect_voxels_at<Coord>(
+        file, box, [&](const Coord& at) { return voxels.getValue(at); }, tolerance);
+}
+
+// Expects that the volume is the box of the active voxels.
+inline void expect_active_box(const FloatGrid& grid, const FileVoxels& file) {
+    const openvdb::CoordBBox active = grid.evalActiveVoxelBoundingBox();
+    for (int i = 0; i < 3; ++i) {
+        const auto axis = static_cast<std::size_t>(i);
+        EXPECT_EQ(file.first[axis], active.min()[i]);
+        EXPECT_EQ(file.size[axis], active.dim()[i]);
+    }
 }
 
 }  // namespace skybake::testing

@@ -47,13 +47,8 @@ TEST(VdbGrid, IsTheBoxOfActiveVoxelsAndTiles) {
     const TemporaryFolder folder;
     const FloatGrid::Ptr grid = any_grid();
     write_grid(grid, folder / "v.vdb");
-    const openvdb::CoordBBox active = grid->evalActiveVoxelBoundingBox();
     const FileVoxels file = opened(folder / "v.vdb");
-    for (int i = 0; i < 3; ++i) {
-        const auto axis = static_cast<std::size_t>(i);
-        EXPECT_EQ(file.first[axis], active.min()[i]);
-        EXPECT_EQ(file.size[axis], active.dim()[i]);
-    }
+    testing::expect_active_box(*grid, file);
     float largest = 0;
     for (auto voxel = grid->cbeginValueAll(); voxel; ++voxel) {
         largest = std::max(largest, voxel.getValue());

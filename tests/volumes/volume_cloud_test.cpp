@@ -171,17 +171,14 @@ TEST_F(VolumeCloud, IsShapedAsCloudsOfNoiseAre) {
         std::size_t i = 0;
         double worst = 0;
         int cloudy = 0;
-        for (int z = 0; z < size[2]; ++z) {
-            for (int y = 0; y < size[1]; ++y) {
-                for (int x = 0; x < size[0]; ++x, ++i) {
-                    ASSERT_EQ(made[i], cloud_at(field.plan(), {x, y, z})[0]) << name;
-                    const double wanted = reference(
-                        {(x + 0.5) / size[0], (y + 0.5) / size[1], (z + 0.5) / size[2]})[0];
-                    worst = std::max(worst, std::abs(wanted - double{made[i]}));
-                    if (made[i] > 0) ++cloudy;
-                }
-            }
-        }
+        testing::for_each_voxel(size, [&](int x, int y, int z) {
+            const float found = made[i++];
+            EXPECT_EQ(found, cloud_at(field.plan(), {x, y, z})[0]) << name;
+            const double wanted =
+                reference({(x + 0.5) / size[0], (y + 0.5) / size[1], (z + 0.5) / size[2]})[0];
+            worst = std::max(worst, std::abs(wanted - double{found}));
+            if (found > 0) ++cloudy;
+        });
         EXPECT_LT(worst, 1e-5) << name;
         EXPECT_GT(cloudy, 100);
     });
@@ -250,14 +247,14 @@ using Errors = std::vector<std::string>;
 TEST_F(VolumeCloud, ErrorsSayWhereTheyAre) {
     const auto errors = [&](const std::string& text) { return errors_of(text, folder_.path()); };
     const std::string missing = (folder_ / "c.vdb").string();
-    EXPECT_EQ(errors("[volumes.v]\nfile = \"c.vdb\"\n[clouds.c]\nvolume = \"v\"\n"),
+    const std::string recipe = "[volumes.v]\nfile = \"c.vdb\"\n[clouds.c]\nvolume = \"v\"\n";
+    EXPECT_EQ(errors(recipe),
               Errors{"E0300 2:8 cannot read `" + missing + "`: No such file or directory; "});
     testing::write_bytes(folder_ / "c.vdb", "no such file at all");
-    EXPECT_EQ(errors("[volumes.v]\nfile = \"c.vdb\"\n[clouds.c]\nvolume = \"v\"\n"),
-              Errors{"E0304 2:8 cannot read `" + missing +
-                     "` as a VDB file: it does not begin as a VDB file; "});
+    EXPECT_EQ(errors(recipe), Errors{"E0304 2:8 cannot read `" + missing +
+                                     "` as a VDB file: it does not begin as a VDB file; "});
     testing::write_bytes(folder_ / "c.vdb", "NanoVDB1, as other programs write it");
-    EXPECT_EQ(errors("[volumes.v]\nfile = \"c.vdb\"\n[clouds.c]\nvolume = \"v\"\n"),
+    EXPECT_EQ(errors(recipe),
               Errors{"E0304 2:8 cannot read `" + missing +
                      "` as a VDB file: it is a NanoVDB file: write format = \"nvdb\"; "});
 }

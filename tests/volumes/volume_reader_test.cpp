@@ -68,13 +68,13 @@ VolumeFile raw_volume(const std::filesystem::path& path) {
 void write_raw(const VolumeFile& volume, const std::array<std::size_t, 3>& axes) {
     std::string bytes(static_cast<std::size_t>(volume.offset), '?');
     Place at{};
-    for (at[axes[2]] = 0; at[axes[2]] < raw_size[axes[2]]; ++at[axes[2]]) {
-        for (at[axes[1]] = 0; at[axes[1]] < raw_size[axes[1]]; ++at[axes[1]]) {
-            for (at[axes[0]] = 0; at[axes[0]] < raw_size[axes[0]]; ++at[axes[0]]) {
-                bytes += bytes_of_number(number_of_voxel(at), volume.type, volume.byte_order);
-            }
-        }
-    }
+    const Place size = {raw_size[axes[0]], raw_size[axes[1]], raw_size[axes[2]]};
+    testing::for_each_voxel(size, [&](int fast, int middle, int slow) {
+        at[axes[0]] = fast;
+        at[axes[1]] = middle;
+        at[axes[2]] = slow;
+        bytes += bytes_of_number(number_of_voxel(at), volume.type, volume.byte_order);
+    });
     testing::write_bytes(volume.path, bytes);
 }
 
@@ -93,16 +93,11 @@ template <class FileAt>
 void expect_voxels(const SourceVoxels& source, const FileAt& file_at, float unit = 1) {
     const std::vector<float> all = testing::planes_of(*source.voxels, {{}, source.size}, 1)[0];
     std::size_t i = 0;
-    for (int z = 0; z < source.size[2]; ++z) {
-        for (int y = 0; y < source.size[1]; ++y) {
-            for (int x = 0; x < source.size[0]; ++x, ++i) {
-                const float wanted =
-                    static_cast<float>(number_of_voxel(file_at(Place{x, y, z}))) / unit;
-                EXPECT_EQ(voxel_of(source, {x, y, z}), wanted) << x << " " << y << " " << z;
-                EXPECT_EQ(all[i], wanted);
-            }
-        }
-    }
+    testing::for_each_voxel(source.size, [&](int x, int y, int z) {
+        const float wanted = static_cast<float>(number_of_voxel(file_at(Place{x, y, z}))) / unit;
+        EXPECT_EQ(voxel_of(source, {x, y, z}), wanted) << x << " " << y << " " << z;
+        EXPECT_EQ(all[i++], wanted);
+    });
 }
 
 const auto as_it_is = [](const Place& at) { return at; };
