@@ -7,9 +7,8 @@
 #include <tuple>
 
 #include "bakers/assets/multiple_scattering/multiple_scattering_kernel.h"
-#include "bakers/assets/registry/registry.h"
 #include "bakers/field/baked.h"
-#include "tests/support/atmospheres.h"
+#include "tests/support/bakes.h"
 #include "tests/support/hard_case.h"
 #include "tests/support/multiple_scattering_reference.h"
 
@@ -191,12 +190,10 @@ TEST(MultipleScatteringHardCase, Case15GroundAndTopAreLimits) {
 TEST(MultipleScatteringHardCase, Case17SizesOneTwoAndOdd) {
     double worst = 0;
     for (const std::string size : {"[1, 1]", "[2, 2]", "[33, 1]", "[1, 5]", "[7, 3]"}) {
-        const config::Recipe recipe = test::recipe_of(
+        const auto outcome = test::bake_first(
             "preset = \"earth_hillaire\"\n[bake.multiple_scattering]\nmethod = 'converged'\n"
             "mapping = 'hillaire'\nsize = " +
             size + "\n");
-        const auto outcome =
-            bake_asset(recipe, recipe.parameters.bakes.at(0), {1, Certification::quick, nullptr});
         ASSERT_TRUE(outcome.value) << size;
         worst = std::max(worst, outcome.value->certificate.texel.max);
     }
@@ -228,9 +225,7 @@ TEST(MultipleScatteringHardCase, Case21ThreadsAndOrder) {
         "preset = \"tiny_planet\"\n[bake.multiple_scattering]\nmethod = 'converged'\n"
         "mapping = 'hillaire'\nsize = [32, 32]\nmax_texel_error = \"2 %\"\n");
     test::hold_on_threads("multiple scattering", [&](int threads) {
-        const Baked table =
-            *bake_asset(recipe, recipe.parameters.bakes.at(0), {threads, Certification::quick})
-                 .value;
+        const Baked table = *test::bake_first(recipe, {threads}).value;
         return std::tuple(table.image().texels, table.certificate.lookup.max,
                           table.certificate.texel.rms);
     });

@@ -4,25 +4,19 @@
 
 #include <gtest/gtest.h>
 
-#include "bakers/assets/registry/registry.h"
 #include "bakers/field/interpolation.h"
-#include "tests/support/atmospheres.h"
-#include "tests/support/outcomes.h"
+#include "tests/support/bakes.h"
 
 namespace skybake {
 namespace {
 
-config::Outcome<Baked> try_bake(const std::string& section,
-                                const std::string& preset = "earth_hillaire") {
-    const config::Recipe recipe = test::recipe_of(
-        "preset = \"" + preset + "\"\n[bake.multiple_scattering]\n" +
-        (section.find("method") == std::string::npos ? "method = 'converged'\n" : "") +
-        (section.find("mapping") == std::string::npos ? "mapping = 'hillaire'\n" : "") + section);
-    return bake_asset(recipe, recipe.parameters.bakes.at(0), {2, Certification::quick});
-}
-
 Baked bake(const std::string& section, const std::string& preset = "earth_hillaire") {
-    return test::without_errors(try_bake(section, preset));
+    return test::without_errors(test::bake_first(
+        "preset = \"" + preset + "\"\n[bake.multiple_scattering]\n" +
+            (section.find("method") == std::string::npos ? "method = 'converged'\n" : "") +
+            (section.find("mapping") == std::string::npos ? "mapping = 'hillaire'\n" : "") +
+            section,
+        {.threads = 2}));
 }
 
 TEST(MultipleScatteringTable, HoldsItsTexelErrorForEachPreset) {
@@ -70,7 +64,7 @@ TEST(MultipleScatteringTable, AsInThePaperSaysHowFarOffItIs) {
 }
 
 TEST(MultipleScatteringTable, GreyTablesHaveOneChannel) {
-    const config::Recipe recipe = test::recipe_of(R"(
+    const auto outcome = test::bake_first(R"(
         wavelengths = ["550 nm"]
         [atmosphere]
         ground_radius = "6360 km"
@@ -85,8 +79,6 @@ TEST(MultipleScatteringTable, GreyTablesHaveOneChannel) {
         mapping = "hillaire"
         size = [16, 16]
     )");
-    const auto outcome =
-        bake_asset(recipe, recipe.parameters.bakes.at(0), {1, Certification::quick, nullptr});
     ASSERT_TRUE(outcome.value);
     EXPECT_EQ(outcome.value->channel_names, std::vector<std::string>{"Y"});
     EXPECT_EQ(outcome.value->image().channels, 1);

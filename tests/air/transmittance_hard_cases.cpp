@@ -8,10 +8,9 @@
 #include "bakers/air/optical_depth.h"
 #include "bakers/air/ray.h"
 #include "bakers/air/transmittance_mapping.h"
-#include "bakers/assets/registry/registry.h"
 #include "bakers/field/baked.h"
 #include "bakers/field/interpolation.h"
-#include "tests/support/atmospheres.h"
+#include "tests/support/bakes.h"
 #include "tests/support/hard_case.h"
 #include "tests/support/referee.h"
 
@@ -234,17 +233,13 @@ TEST(TransmittanceHardCase, Case12HugePlanetIsPlaneParallel) {
 }
 
 TEST(TransmittanceHardCase, Case16HalfRange) {
-    const config::Recipe recipe =
-        test::recipe_of("preset = \"dense_earth\"\n[bake.transmittance]\npixel_type = \"half\"\n");
-    const auto outcome =
-        bake_asset(recipe, recipe.parameters.bakes.at(0), {1, Certification::quick, nullptr});
+    const std::string dense = "preset = \"dense_earth\"\n[bake.transmittance]\n";
+    const auto outcome = test::bake_first(dense + "pixel_type = \"half\"\n");
     ASSERT_TRUE(outcome.value);
     const Baked& table = *outcome.value;
     // Transmittances that a double holds and a half does not, by their optical depths.
-    const config::Recipe depths = test::recipe_of(
-        "preset = \"dense_earth\"\n[bake.transmittance]\ncontent = \"optical_depth\"\n");
     const auto depth =
-        bake_asset(depths, depths.parameters.bakes.at(0), {1, Certification::off, nullptr});
+        test::bake_first(dense + "content = \"optical_depth\"\n", {1, Certification::off});
     long below = 0;
     for (const float tau : depth.value->image().texels) {
         if (tau > 14 * std::log(2.0) && tau < 708) ++below;
@@ -259,10 +254,8 @@ TEST(TransmittanceHardCase, Case16HalfRange) {
 TEST(TransmittanceHardCase, Case17SizesOneTwoAndOdd) {
     double worst = 0;
     for (const std::string size : {"[1, 1]", "[2, 2]", "[1, 7]", "[33, 1]", "[255, 63]"}) {
-        const config::Recipe recipe = test::recipe_of(
+        const auto outcome = test::bake_first(
             "preset = \"earth_hillaire\"\n[bake.transmittance]\nsize = " + size + "\n");
-        const auto outcome =
-            bake_asset(recipe, recipe.parameters.bakes.at(0), {1, Certification::quick, nullptr});
         ASSERT_TRUE(outcome.value) << size;
         worst = std::max(worst, outcome.value->certificate.texel.max);
         for (const Probe& probe : outcome.value->levels[0].probes) {
@@ -273,11 +266,9 @@ TEST(TransmittanceHardCase, Case17SizesOneTwoAndOdd) {
 }
 
 TEST(TransmittanceHardCase, Case21ThreadsAndOrder) {
-    const config::Recipe recipe = test::recipe_of("preset = \"mars_rgb\"\n[bake.transmittance]\n");
-    test::hold_on_threads("transmittance", [&](int threads) {
+    test::hold_on_threads("transmittance", [](int threads) {
         const Baked table =
-            *bake_asset(recipe, recipe.parameters.bakes.at(0), {threads, Certification::quick})
-                 .value;
+            *test::bake_first("preset = \"mars_rgb\"\n[bake.transmittance]\n", {threads}).value;
         return std::tuple(table.image().texels, table.certificate.lookup.rms);
     });
 }

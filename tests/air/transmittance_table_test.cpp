@@ -7,19 +7,18 @@
 
 #include "bakers/air/optical_depth.h"
 #include "bakers/air/transmittance_mapping.h"
-#include "bakers/assets/registry/registry.h"
 #include "bakers/field/interpolation.h"
-#include "tests/support/atmospheres.h"
-#include "tests/support/outcomes.h"
+#include "tests/support/bakes.h"
+#include "tests/support/refused.h"
 
 namespace skybake {
 namespace {
 
 Baked bake(const std::string& section, const std::string& preset = "earth_hillaire",
            BakeOptions options = {1, Certification::quick, nullptr}) {
-    const config::Recipe recipe = test::recipe_of(
-        "preset = \"" + preset + "\"\n[bake.table]\nasset = \"transmittance\"\n" + section);
-    return test::without_errors(bake_asset(recipe, recipe.parameters.bakes.at(0), options));
+    return test::without_errors(test::bake_first(
+        "preset = \"" + preset + "\"\n[bake.table]\nasset = \"transmittance\"\n" + section,
+        options));
 }
 
 TEST(TransmittanceTable, FirstRowIsTheGroundAndFirstColumnStraightUp) {
@@ -100,32 +99,24 @@ TEST(TransmittanceTable, MaxErrorTakesTheSmallestTableThatHolds) {
 }
 
 TEST(TransmittanceTable, MaxErrorOutOfReachFailsWithTheFigure) {
-    const config::Recipe recipe = test::recipe_of(
-        "preset = \"earth_hillaire\"\n[bake.transmittance]\nmax_error = 2e-7\npixel_type = "
-        "\"half\"\n");
-    const auto outcome =
-        bake_asset(recipe, recipe.parameters.bakes.at(0), {1, Certification::quick, nullptr});
-    EXPECT_FALSE(outcome.value);
-    ASSERT_EQ(outcome.diagnostics.size(), 1U);
-    EXPECT_EQ(outcome.diagnostics[0].code, "E0403");
+    test::expect_refused(
+        test::bake_first("preset = \"earth_hillaire\"\n[bake.transmittance]\nmax_error = 2e-7\n"
+                         "pixel_type = \"half\"\n"),
+        "E0403");
 }
 
 TEST(TransmittanceTable, DepthBeyondHalfIsRefused) {
-    const config::Recipe recipe = test::recipe_of(
-        "preset = \"earth_hillaire\"\n[atmosphere.layers.rayleigh]\nscattering = \"1 /m\"\n"
-        "[bake.transmittance]\ncontent = \"optical_depth\"\npixel_type = \"half\"\n");
-    const auto outcome =
-        bake_asset(recipe, recipe.parameters.bakes.at(0), {1, Certification::quick, nullptr});
-    EXPECT_FALSE(outcome.value);
-    ASSERT_FALSE(outcome.diagnostics.empty());
-    EXPECT_EQ(outcome.diagnostics[0].code, "E0402");
+    test::expect_refused(
+        test::bake_first(
+            "preset = \"earth_hillaire\"\n[atmosphere.layers.rayleigh]\nscattering = \"1 /m\"\n"
+            "[bake.transmittance]\ncontent = \"optical_depth\"\npixel_type = \"half\"\n"),
+        "E0402");
 }
 
 TEST(TransmittanceTable, ScatteringAndPhaseLeaveItAlone) {
     const auto parameters = [](const std::string& more) {
-        const config::Recipe recipe =
-            test::recipe_of("preset = \"earth_hillaire\"\n" + more + "[bake.transmittance]\n");
-        return bake_asset(recipe, recipe.parameters.bakes.at(0), {1, Certification::off, nullptr})
+        return test::bake_first("preset = \"earth_hillaire\"\n" + more + "[bake.transmittance]\n",
+                                {1, Certification::off})
             .value->parameters;
     };
     const std::string plain = parameters("");

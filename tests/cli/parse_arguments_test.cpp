@@ -110,60 +110,43 @@ TEST(ParseArguments, PassesStrangeArgumentsOn) {
     EXPECT_EQ(parse({"bake", "", "a b"}).invocation.arguments(), (Words{"", "a b"}));
 }
 
-TEST(ParseArguments, SuggestsTheNearestName) {
-    EXPECT_EQ(complaint({"baek", "a.toml"}), "unknown command `baek`; did you mean `bake`?");
-    EXPECT_EQ(complaint({"zzzzzz"}),
-              "unknown command `zzzzzz`; `skybake --help` lists the commands");
-    EXPECT_EQ(complaint({"bake", "a", "--ouput", "x"}),
-              "unknown option `--ouput`; did you mean `--output`?");
-    EXPECT_EQ(complaint({"bake", "a", "--quite"}),
-              "unknown option `--quite`; did you mean `--quiet`?");
-    EXPECT_EQ(complaint({"bake", "a", "-Z"}),
-              "unknown option `-Z`; `skybake bake --help` lists the options");
-    EXPECT_EQ(complaint({"bake", "a", "--level=fulll"}),
-              "`--level` cannot be `fulll`; did you mean `full`?");
-    EXPECT_EQ(complaint({"bake", "a", "--level=9"}),
-              "`--level` cannot be `9`; use one of quick, full");
-    EXPECT_EQ(complaint({"--versoin"}), "unknown option `--versoin`; did you mean `--version`?");
-}
-
-// The two dashes, which all options have, do not make two names alike.
-TEST(ParseArguments, SuggestsNoOptionForDashesAlone) {
-    EXPECT_EQ(complaint({"bake", "a", "--only", "x"}),
-              "unknown option `--only`; `skybake bake --help` lists the options");
-    EXPECT_EQ(complaint({"bake", "a", "--fxxce"}),
-              "unknown option `--fxxce`; did you mean `--force`?");
-}
-
-TEST(ParseArguments, SaysWhatIsMissingOrTooMuch) {
-    EXPECT_EQ(complaint({"bake"}),
-              "`skybake bake` needs <recipe>; for example skybake bake earth.toml");
-    EXPECT_EQ(complaint({"bake", "a", "b", "c"}),
-              "unexpected argument `c`; `skybake bake --help` shows what it takes");
-    EXPECT_EQ(complaint({"verify", "x"}),
-              "unexpected argument `x`; `skybake verify --help` shows what it takes");
-    EXPECT_EQ(complaint({"bake", "a", "--output"}), "`--output` needs a value: --output FOLDER; ");
-    EXPECT_EQ(complaint({"bake", "a", "--output", "--force"}),
-              "`--output` needs a value: --output FOLDER; ");
-    EXPECT_EQ(complaint({"bake", "a", "--force=3"}), "`--force` takes no value; ");
-}
-
-TEST(ParseArguments, OptionsOfACommandComeAfterIt) {
+TEST(ParseArguments, SaysWhatIsWrongInOneSentence) {
     const std::string label = "; the options of a command come after it: skybake bake ";
-    EXPECT_EQ(complaint({"-o", "out", "bake", "a"}),
-              "`-o` stands before the command" + label + "-o FOLDER");
-    EXPECT_EQ(complaint({"-oout", "bake", "a"}),
-              "`-oout` stands before the command" + label + "-o FOLDER");
-    EXPECT_EQ(complaint({"--output=out", "bake", "a"}),
-              "`--output=out` stands before the command" + label + "--output FOLDER");
-    EXPECT_EQ(complaint({"-q", "--force", "bake", "a"}),
-              "`--force` stands before the command" + label + "--force");
-    EXPECT_EQ(complaint({"--completion", "bash"}),
-              "unknown option `--completion`; `skybake --help` lists the options");
-    EXPECT_EQ(complaint({"--colour", "never", "bake", "a"}),
-              "unknown option `--colour`; did you mean `--color`?");
-    EXPECT_EQ(complaint({"-qZ", "bake", "a"}),
-              "unknown option `-qZ`; `skybake --help` lists the options");
+    for (const auto& [words, said] : std::vector<std::pair<Words, std::string>>{
+             {{"baek", "a.toml"}, "unknown command `baek`; did you mean `bake`?"},
+             {{"zzzzzz"}, "unknown command `zzzzzz`; `skybake --help` lists the commands"},
+             {{"bake", "a", "--ouput", "x"}, "unknown option `--ouput`; did you mean `--output`?"},
+             {{"bake", "a", "--quite"}, "unknown option `--quite`; did you mean `--quiet`?"},
+             {{"bake", "a", "-Z"}, "unknown option `-Z`; `skybake bake --help` lists the options"},
+             {{"bake", "a", "--level=fulll"}, "`--level` cannot be `fulll`; did you mean `full`?"},
+             {{"bake", "a", "--level=9"}, "`--level` cannot be `9`; use one of quick, full"},
+             {{"--versoin"}, "unknown option `--versoin`; did you mean `--version`?"},
+             // The two dashes, which all options have, do not make two names alike.
+             {{"bake", "a", "--only", "x"},
+              "unknown option `--only`; `skybake bake --help` lists the options"},
+             {{"bake", "a", "--fxxce"}, "unknown option `--fxxce`; did you mean `--force`?"},
+             {{"bake"}, "`skybake bake` needs <recipe>; for example skybake bake earth.toml"},
+             {{"bake", "a", "b", "c"},
+              "unexpected argument `c`; `skybake bake --help` shows what it takes"},
+             {{"verify", "x"},
+              "unexpected argument `x`; `skybake verify --help` shows what it takes"},
+             {{"bake", "a", "--output"}, "`--output` needs a value: --output FOLDER; "},
+             {{"bake", "a", "--output", "--force"}, "`--output` needs a value: --output FOLDER; "},
+             {{"bake", "a", "--force=3"}, "`--force` takes no value; "},
+             {{"-o", "out", "bake", "a"}, "`-o` stands before the command" + label + "-o FOLDER"},
+             {{"-oout", "bake", "a"}, "`-oout` stands before the command" + label + "-o FOLDER"},
+             {{"--output=out", "bake", "a"},
+              "`--output=out` stands before the command" + label + "--output FOLDER"},
+             {{"-q", "--force", "bake", "a"},
+              "`--force` stands before the command" + label + "--force"},
+             {{"--completion", "bash"},
+              "unknown option `--completion`; `skybake --help` lists the options"},
+             {{"--colour", "never", "bake", "a"},
+              "unknown option `--colour`; did you mean `--color`?"},
+             {{"-qZ", "bake", "a"}, "unknown option `-qZ`; `skybake --help` lists the options"},
+         }) {
+        EXPECT_EQ(complaint(words), said);
+    }
     EXPECT_TRUE(parse({"-qv", "--color=never", "bake", "a"}).diagnostics.empty());
 }
 

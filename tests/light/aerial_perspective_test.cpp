@@ -3,10 +3,10 @@
 
 #include "bakers/air/optical_depth.h"
 #include "bakers/assets/aerial_perspective/aerial_perspective_volume.h"
-#include "bakers/assets/registry/registry.h"
 #include "bakers/light/sky_ray.h"
 #include "config/assets/aerial_perspective.h"
 #include "tests/light/sky_media.h"
+#include "tests/support/bakes.h"
 #include "tests/support/volumes.h"
 
 namespace skybake {
@@ -103,13 +103,12 @@ TEST(AerialCamera, SlicesBeginWithTheAir) {
 // The same place of the air, looked up in files whose slices begin at the camera and with the air.
 TEST(AerialPerspective, FromSpaceShowsTheAir) {
     const auto baked = [](const std::string& keys) {
-        const config::Recipe recipe = test::recipe_of(
+        auto outcome = test::bake_first(
             "preset = 'earth_hillaire'\n[bake.air]\nasset = 'aerial_perspective'\n"
             "size = [16, 16, 32]\naltitude = '400 km'\npitch = '-20 deg'\n"
             "view_distance = '20000 km'\nsun_elevation = '10 deg'\npixel_type = 'float'\n" +
-            keys);
-        auto outcome = bake_asset(recipe, recipe.parameters.bakes[0],
-                                  {.threads = 2, .certification = Certification::quick});
+                keys,
+            {.threads = 2});
         EXPECT_EQ(outcome.diagnostics.size(), keys.empty() ? 0U : 1U);
         for (const auto& one : outcome.diagnostics) EXPECT_EQ(one.code, "W0221") << one.message;
         return std::move(outcome.value).value();

@@ -2,7 +2,6 @@
 
 #include "bakers/air/forward_peak.h"
 #include "bakers/assets/irradiance/irradiance_table.h"
-#include "bakers/assets/registry/registry.h"
 #include "bakers/field/baked.h"
 #include "bakers/light/multiple_scattering_quadrature.h"
 #include "bakers/light/shared_light.h"
@@ -10,6 +9,8 @@
 #include "bakers/math/quadrature.h"
 #include "config/assets/irradiance.h"
 #include "tests/light/sky_media.h"
+#include "tests/support/bakes.h"
+#include "tests/support/refused.h"
 
 namespace skybake {
 namespace {
@@ -250,9 +251,8 @@ TEST(IrradianceTable, HoldsItsErrorAndAddsUp) {
 // Four texels of sunlight, and a table as it is by default: only one of them warns.
 TEST(Irradiance, LookupsThatAreFarOffAreWarnedOf) {
     const auto codes = [](const std::string& size) {
-        const config::Recipe recipe = test::recipe_of(
+        const auto baked = test::bake_first(
             "preset = \"earth_hillaire\"\n[bake.irradiance]\ncontent = \"direct\"\n" + size);
-        const auto baked = bake_asset(recipe, recipe.parameters.bakes.at(0), {.threads = 1});
         EXPECT_TRUE(baked.value);
         std::string found;
         for (const config::Diagnostic& diagnostic : baked.diagnostics) {
@@ -268,9 +268,7 @@ TEST(Irradiance, LookupsThatAreFarOffAreWarnedOf) {
 // The line of the key that a diagnostic names: of one that is too strict, and of the size.
 TEST(Irradiance, FaultsOfABakeNameTheirLine) {
     const auto fault = [](const std::string& section) {
-        const config::Recipe recipe = test::recipe_of("preset = \"earth_hillaire\"\n" + section);
-        const auto baked = bake_asset(recipe, recipe.parameters.bakes.at(0), {.threads = 1});
-        return baked.diagnostics.at(0);
+        return test::bake_first("preset = \"earth_hillaire\"\n" + section).diagnostics.at(0);
     };
     const config::Diagnostic strict =
         fault("[bake.transmittance]\npixel_type = \"half\"\nmax_error = 1e-7\n");
@@ -287,20 +285,15 @@ TEST(Irradiance, FaultsOfABakeNameTheirLine) {
 // solved for in hours; their sunlight is a closed form.
 TEST(Irradiance, OfAirThatIsTooOpaqueOrTooHighIsRefused) {
     const auto bake = [](const std::string& keys, const std::vector<std::string>& settings) {
-        const config::Recipe recipe = test::recipe_of(
-            "preset = \"earth_hillaire\"\n[bake.irradiance]\nsize = [2, 2]\n" + keys, settings);
-        return bake_asset(recipe, recipe.parameters.bakes.at(0),
-                          {.threads = 1, .certification = Certification::off});
+        return test::bake_first(
+            "preset = \"earth_hillaire\"\n[bake.irradiance]\nsize = [2, 2]\n" + keys,
+            {.threads = 1, .certification = Certification::off}, settings);
     };
     const std::vector<std::vector<std::string>> airs = {
         {"atmosphere.layers.rayleigh.scattering=\"10 /m\""},
         {"atmosphere.ground_radius=\"1 m\"", "atmosphere.top_radius=\"60 km\""}};
     for (const std::vector<std::string>& air : airs) {
-        const auto refused = bake("", air);
-        EXPECT_FALSE(refused.value);
-        ASSERT_EQ(refused.diagnostics.size(), 1U);
-        EXPECT_EQ(refused.diagnostics[0].code, "E0405");
-        EXPECT_EQ(refused.diagnostics[0].where.line, 3);
+        EXPECT_EQ(test::expect_refused(bake("", air), "E0405").where.line, 3);
         EXPECT_TRUE(bake("content = \"direct\"\n", air).value);
     }
 }

@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include "bakers/assets/registry/registry.h"
 #include "bakers/assets/sky/sky_asset.h"
 #include "bakers/field/interpolation.h"
 #include "bakers/math/relative_error.h"
 #include "config/assets/sky_view.h"
 #include "tests/light/sky_media.h"
+#include "tests/support/bakes.h"
 
 namespace skybake {
 namespace {
@@ -164,11 +164,9 @@ TEST(SkyViewTable, SaysWhatHalfLoses) {
 
 // Bakes a table as a recipe asks for it: one layer's single scattering, with its probes in place.
 TEST(SkyViewTable, IsBakedByARecipe) {
-    const config::Recipe recipe = test::recipe_of(
-        "preset = 'earth_hillaire'\n[bake.haze]\nasset = 'sky_view'\nsize = [16, 12]\norders = "
-        "'single'\n"
-        "layers = ['mie']\nsun_elevations = ['30 deg', '5 deg']\n");
-    const auto baked = bake_asset(recipe, recipe.parameters.bakes[0], {.threads = 2});
+    const auto baked = test::bake_first(
+        "preset = 'earth_hillaire'\n[bake.haze]\nasset = 'sky_view'\nsize = [16, 12]\n"
+        "orders = 'single'\nlayers = ['mie']\nsun_elevations = ['30 deg', '5 deg']\n");
     ASSERT_TRUE(baked.value);
     EXPECT_EQ(baked.value->kind, "sky_view");
     EXPECT_NE(baked.value->content.find("single scattering by mie"), std::string::npos);

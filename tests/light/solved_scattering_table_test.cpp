@@ -3,28 +3,18 @@
 
 #include <gtest/gtest.h>
 
-#include "bakers/assets/registry/registry.h"
 #include "bakers/field/interpolation.h"
 #include "bakers/light/solver/solved_light.h"
-#include "tests/support/atmospheres.h"
+#include "tests/support/bakes.h"
 #include "tests/support/loops.h"
-#include "tests/support/outcomes.h"
 
 namespace skybake {
 namespace {
 
-config::Outcome<Baked> bake(const std::string& settings,
-                            Certification certification = Certification::off) {
-    const config::Recipe recipe = test::recipe_of(
-        "preset = \"earth_hillaire\"\n[bake.multiple_scattering]\nmethod = \"solved\"\n" +
-        settings);
-    BakeOptions options;
-    options.certification = certification;
-    return bake_asset(recipe, recipe.parameters.bakes.front(), options);
-}
-
 Baked table_of(const std::string& settings, Certification certification = Certification::off) {
-    return test::without_errors(bake(settings, certification));
+    return test::without_errors(test::bake_first(
+        "preset = \"earth_hillaire\"\n[bake.multiple_scattering]\nmethod = \"solved\"\n" + settings,
+        {.certification = certification}));
 }
 
 TEST(SolvedScatteringTable, IsDropIn) {

@@ -16,6 +16,7 @@
 #include "bakers/render/scene_march.h"
 #include "bakers/render/tone_curve.h"
 #include "tests/preview/skies.h"
+#include "tests/support/refused.h"
 
 namespace skybake {
 namespace {
@@ -224,10 +225,7 @@ TEST(LiveScene, TurnsTheSunIntoTheRangeOfItsSlider) {
 TEST(LiveScene, IsRefusedWithoutARecipe) {
     PreviewAssets assets = baked(kSky);
     assets.recipe.reset();
-    const auto scene = live_scene(assets, {});
-    EXPECT_FALSE(scene.value);
-    ASSERT_EQ(scene.diagnostics.size(), 1U);
-    EXPECT_EQ(scene.diagnostics[0].code, "E0001");
+    test::expect_refused(live_scene(assets, {}), "E0001");
 }
 
 PreviewAsset volume_of(const std::vector<float>& voxels, int channels) {
