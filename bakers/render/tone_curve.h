@@ -60,7 +60,7 @@ inline constexpr ExposureRule kWholePicture = {0.99, 0.85, 1, false};
 // sun is far brighter than all else, and burns out before the rest is darker than a clear sky is shown.
 inline constexpr ExposureRule kCloudPicture = {0.99, 0.9, 1, false, 0, 0, 0.25};
 
-// For clear skies: the median is half a stop above middle grey, as a photographer exposes a sky. A low sun
+// For clear skies by day: the median is half a stop above middle grey, as a photographer exposes a sky. A low sun
 // is so much brighter than its sky that this would burn out the light around it; so no more than a
 // twentieth of the picture is brighter than 0.9 of white.
 inline constexpr ExposureRule kSkyPicture = {0.5, 0.25, 1, true, 0.95, 0.9};
@@ -83,8 +83,9 @@ inline double cloud_exposure_for(const Image2<float>& radiance, ToneCurve curve 
                                  double daylight_share = 1) {
     return dimming(daylight_share) * exposure_by(kCloudPicture, radiance, curve);
 }
-inline double sky_exposure_for(const Image2<float>& radiance, ToneCurve curve = ToneCurve::film) {
-    return exposure_by(kSkyPicture, radiance, curve);
+inline double sky_exposure_for(const Image2<float>& radiance, ToneCurve curve = ToneCurve::film,
+                               double daylight_share = 1) {
+    return dimming(daylight_share) * exposure_by(kSkyPicture, radiance, curve);
 }
 
 }  // namespace skybake

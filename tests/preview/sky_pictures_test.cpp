@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numeric>
 #include <set>
 #include <string>
 #include <vector>
@@ -75,6 +76,22 @@ TEST(SkyPictures, EndTheDifferencesScaleAtAHundredPercent) {
     for (float& value : wrong.multiple_scattering.table.texels) value *= 1000;
     EXPECT_NE(pictures_of(wrong, options).front().caption.find("clipped at +-100 %"),
               std::string::npos);
+}
+
+// A picture of dusk is darker than one by day: its mean brightness falls with the sun.
+TEST(SkyPictures, OfEveningsAreDarkerThanThoseOfDays) {
+    SkyPreviewOptions options = small_options();
+    options.sun_elevations_degrees = {30, 5, -4, -8};
+    options.solved_pixels = 0;
+    const std::vector<PreviewPicture> pictures = pictures_of(earth(), options);
+    ASSERT_EQ(pictures.size(), 5U);
+    const auto brightness = [&](std::size_t sun) {
+        const std::vector<std::uint8_t>& bytes = pictures[1 + sun].picture.rgb;
+        return std::accumulate(bytes.begin(), bytes.end(), 0.0) / static_cast<double>(bytes.size());
+    };
+    for (std::size_t sun = 0; sun < 3; ++sun) {
+        EXPECT_GT(brightness(sun), 1.1 * brightness(sun + 1)) << sun;
+    }
 }
 
 // An exposure that is asked for is the one that is used.

@@ -279,16 +279,15 @@ TEST(CloudExposureFor, LetsTheGlowAroundTheSunBurnOut) {
 }
 
 // What is shown is as a power of the light, whatever the light.
-TEST(CloudExposureFor, LeavesEveningsDarkerThanDays) {
+TEST(ExposureFor, LeavesEveningsDarkerThanDays) {
     const Image2<float> image = texel({4, 4, 4});
-    const auto exposure = [&](double share) {
-        return cloud_exposure_for(image, ToneCurve::film, share);
-    };
-    EXPECT_EQ(exposure(1), cloud_exposure_for(image));
-    EXPECT_EQ(exposure(1.7), exposure(1));
-    EXPECT_NEAR(exposure(0.01) / exposure(0.1), exposure(0.1) / exposure(1), 1e-12);
-    EXPECT_NEAR(exposure(0.01) / exposure(1), 0.5, 0.002) << "a stop for a hundredth";
-    EXPECT_EQ(exposure(0), exposure(kMoonlight));
+    for (const auto& chosen : {cloud_exposure_for, sky_exposure_for}) {
+        const auto exposure = [&](double share) { return chosen(image, ToneCurve::film, share); };
+        EXPECT_EQ(exposure(1.7), exposure(1));
+        EXPECT_NEAR(exposure(0.01) / exposure(0.1), exposure(0.1) / exposure(1), 1e-12);
+        EXPECT_NEAR(exposure(0.01) / exposure(1), 0.5, 0.002) << "a stop for a hundredth";
+        EXPECT_EQ(exposure(0), exposure(kMoonlight));
+    }
 }
 
 }  // namespace

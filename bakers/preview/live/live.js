@@ -182,7 +182,6 @@
 
     // The factor of exposures by the sun's elevation, linear between those of the scene.
     function dimming(by_sun) {
-        if (!by_sun) return 1;
         const {first_deg, step_deg, factors} = by_sun, last = factors.length - 1;
         const at = Math.max(0, Math.min(last, (page.view.sun_elevation - first_deg) / step_deg));
         const low = Math.min(Math.floor(at), last - 1);

@@ -234,9 +234,8 @@ Json scene_of(const PreviewAssets& assets, const PreviewOptions& options, const 
         scene["clouds"] = clouds_json(clouds, framed, scene["textures"]);
         scene["cloud_glsl"] = live_cloud_glsl(clouds);
     }
-    const bool is_clear = scene["clouds"].empty();
-    scene["exposure"] = exposure_json(is_clear ? kSkyPicture : kCloudPicture);
-    scene["exposure"]["dimming"] = is_clear ? Json(nullptr) : dimming_json(light, options.threads);
+    scene["exposure"] = exposure_json(scene["clouds"].empty() ? kSkyPicture : kCloudPicture);
+    scene["exposure"]["dimming"] = dimming_json(light, options.threads);
     scene["view"] = view_json(options, camera, light.medium.air.thickness_km);
     return scene;
 }

@@ -37,6 +37,7 @@ struct SkyScene {
     int threads;
     std::unique_ptr<const SkyLight> solved;  // the reference; null: none is shown
     std::string why_unsolved;                // a sentence, if it was asked for but is missing
+    std::vector<double> daylight;            // of daylight_shares, for each of the options' suns
 };
 
 SkyView dome_view(const SkyScene& scene, double sun_elevation_degrees, int pixels) {
@@ -72,12 +73,13 @@ struct ShownSky {
     double exposure = 1;
 };
 
-ShownSky shown_sky(const SkyScene& scene, const SkyView& view) {
+ShownSky shown_sky(const SkyScene& scene, const SkyView& view, double daylight) {
     Image2<float> radiance = render_sky(scene.medium, scene.tables, view, scene.threads);
     const std::optional<double> stops = scene.options.exposure_stops;
     const double exposure =
         stops ? std::exp2(*stops)
-              : sky_exposure_for(scene.tables.screen.shown(radiance), scene.options.tone_curve);
+              : sky_exposure_for(scene.tables.screen.shown(radiance), scene.options.tone_curve,
+                                 daylight);
     return {with_sun(scene, view, std::move(radiance)), exposure};
 }
 
@@ -222,9 +224,10 @@ std::string compare_with_solved(const SkyScene& scene, const Picture& dome,
         percent_shown(cost.difference.relative), kSkySteps, marching);
 }
 
-PreviewPicture dome_of(const SkyScene& scene, double sun_elevation_degrees) {
+PreviewPicture dome_of(const SkyScene& scene, std::size_t sun) {
+    const double sun_elevation_degrees = scene.options.sun_elevations_degrees[sun];
     const SkyView view = dome_view(scene, sun_elevation_degrees, scene.options.dome_pixels);
-    const auto [colors, exposure] = shown_sky(scene, view);
+    const auto [colors, exposure] = shown_sky(scene, view, scene.daylight[sun]);
 
     PreviewPicture result;
     result.name = "sky_" + sun_stem(sun_elevation_degrees);
@@ -250,9 +253,10 @@ PreviewPicture dome_of(const SkyScene& scene, double sun_elevation_degrees) {
 PreviewPicture panoramas(const SkyScene& scene) {
     std::vector<Picture> pictures;
     std::vector<std::string> captions;
-    for (const double elevation : scene.options.sun_elevations_degrees) {
+    for (std::size_t sun = 0; sun < scene.daylight.size(); ++sun) {
+        const double elevation = scene.options.sun_elevations_degrees[sun];
         const SkyView view = panorama_view(scene, elevation);
-        const auto [colors, exposure] = shown_sky(scene, view);
+        const auto [colors, exposure] = shown_sky(scene, view, scene.daylight[sun]);
         pictures.push_back(tone_mapped(colors, exposure, scene.options.tone_curve));
         captions.push_back(fmt::format("{}, {}", sun_text(elevation), exposure_text(exposure)));
     }
@@ -323,8 +327,13 @@ std::vector<PreviewPicture> sky_pictures(const config::Atmosphere& atmosphere,
     if (medium.air.channels != tables.value->transmittance.channels) return pictures;
     const double altitude_km = std::min(options.camera_altitude_km, medium.air.thickness_km);
     SkyScene scene = {
-        std::move(medium), std::move(*tables.value), altitude_km, options, threads, nullptr, ""};
+        std::move(medium), std::move(*tables.value), altitude_km, options, threads, nullptr, "", {}};
     scene.tables.screen = daylight_screen({scene.medium, scene.tables}, threads);
+    scene.daylight = daylight_shares(
+        {scene.medium, scene.tables},
+        mapped<SunDirection>(options.sun_elevations_degrees,
+                             [](double elevation) { return SunDirection{elevation, 0}; }),
+        threads);
     if (options.solved_pixels > 0) solve_reference(atmosphere, scene);
     // After an interruption the solution must not be used.
     if (is_cancelled(options.progress)) return pictures;
@@ -332,9 +341,9 @@ std::vector<PreviewPicture> sky_pictures(const config::Atmosphere& atmosphere,
     if (options.panorama_pixels > 0 && !options.sun_elevations_degrees.empty()) {
         pictures.push_back(panoramas(scene));
     }
-    for (const double elevation : options.sun_elevations_degrees) {
-        if (!goes_on(scene, elevation, pictures.size())) return pictures;
-        pictures.push_back(dome_of(scene, elevation));
+    for (std::size_t sun = 0; sun < options.sun_elevations_degrees.size(); ++sun) {
+        if (!goes_on(scene, options.sun_elevations_degrees[sun], pictures.size())) return pictures;
+        pictures.push_back(dome_of(scene, sun));
     }
     return pictures;
 }
