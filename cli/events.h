@@ -34,7 +34,4 @@ std::string print_json_lines(std::span<const Diagnostic> diagnostics);
 // Returns one SARIF 2.1.0 document, which code scanning services read.
 std::string print_sarif(std::span<const Diagnostic> diagnostics);
 
-// Returns the JSON Schema of all events, which is event_schema.json.
-std::string event_schema();
-
 }  // namespace skybake::cli

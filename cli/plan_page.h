@@ -20,7 +20,4 @@ std::string file_name_of(const PlanSubject& subject);
 // Returns what a table says of a way: "chosen", "knee", "front", and of which baseline it is.
 std::string remark_of(const Plan& plan, std::size_t index);
 
-// Returns the JSON Schema of plan.json, which is plan_schema.json.
-std::string plan_schema();
-
 }  // namespace skybake::cli

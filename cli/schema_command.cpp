@@ -1,17 +1,16 @@
 // skybake schema: prints the JSON Schemas of what people write and of what skybake writes.
-#include "config/recipe/schema.h"
+#include "cli/schema_command.h"
 
 #include <fmt/format.h>
 
 #include <array>
 #include <string>
+#include <utility>
 
-#include "bakers/io/manifest/manifest.h"
-#include "bakers/workspace/sweep/index_files.h"
 #include "cli/command.h"
 #include "cli/console.h"
-#include "cli/events.h"
-#include "cli/plan_page.h"
+#include "config/recipe/schema.h"
+#include "config/sections/file_formats.h"
 #include "config/text/text.h"
 
 namespace skybake::cli {
@@ -19,16 +18,36 @@ namespace {
 
 struct Schema {
     std::string_view name;
-    std::string (*text)();
+    const char* file;  // null: made of the keys
 };
 
 constexpr std::array schemas = {
-    Schema{"recipe", config::recipe_schema},
-    Schema{"manifest", manifest_schema},
-    Schema{"sweep", [] { return std::string(sweep_schema()); }},
-    Schema{"events", event_schema},
-    Schema{"plan", plan_schema},
+    Schema{"recipe", nullptr},
+    Schema{"manifest", "manifest_schema.json"},
+    Schema{"sweep", "sweep_schema.json"},
+    Schema{"events", "event_schema.json"},
+    Schema{"plan", "plan_schema.json"},
 };
+
+// Returns the text of a JSON Schema in which "@formats@" is replaced by the names of all formats
+// and "@image_formats@" by those of images: "exr", "vdb", ...
+std::string with_formats(std::string_view schema) {
+    std::string all;
+    std::string images;
+    for (const config::FormatFacts& format : config::file_formats) {
+        const std::string name = fmt::format("\"{}\"", format.name);
+        all += (all.empty() ? "" : ", ") + name;
+        if (format.is_image) images += (images.empty() ? "" : ", ") + name;
+    }
+    std::string text(schema);
+    for (const auto& [mark, names] :
+         {std::pair("\"@formats@\"", all), std::pair("\"@image_formats@\"", images)}) {
+        for (std::size_t at; (at = text.find(mark)) != std::string::npos;) {
+            text.replace(at, std::string_view(mark).size(), names);
+        }
+    }
+    return text;
+}
 
 ExitCode run_schema(const Invocation& invocation, Console& console) {
     const auto& arguments = invocation.arguments();
@@ -37,7 +56,8 @@ ExitCode run_schema(const Invocation& invocation, Console& console) {
     for (const Schema& schema : schemas) {
         names.push_back(schema.name);
         if (schema.name != name) continue;
-        console.result(schema.text());
+        console.result(schema.file ? with_formats(schema_text(schema.file))
+                                   : config::recipe_schema());
         return ExitCode::done;
     }
     std::string label = config::did_you_mean(name, names);

@@ -178,22 +178,34 @@ std::string page_data(const PreviewPage& page) {
                         {"others", other_files_json(page)}});
 }
 
+// The scripts are one function, so that their names are their own.
+std::string page_script() {
+    std::string script = "(() => {\n";
+    for (const char* name :
+         {"page_elements.js", "page_tables.js", "page_tabs.js", "page_pictures.js",
+          "page_enlarged.js", "page_sections.js", "page.js"}) {
+        script += embedded_text(name);
+    }
+    return script + "})();\n";
+}
+
 }  // namespace
 
 std::string watch_element(int revision) {
     if (revision == 0) return "";
-    return "<script>\n" + filled(page_watch_script(), {{"revision", std::to_string(revision)}}) +
+    return "<script>\n" +
+           filled(embedded_text("page_watch.js"), {{"revision", std::to_string(revision)}}) +
            "</script>\n";
 }
 
 std::string page_html(const PreviewPage& page) {
-    return filled(page_html_template(), {{"generator", html_text(generator())},
-                                         {"title", html_text(page.title)},
-                                         {"style", std::string(page_style())},
-                                         {"data", page_data(page)},
-                                         {"pictures", pictures_html(page)},
-                                         {"script", std::string(page_script())},
-                                         {"watch", watch_element(page.watch_revision)}});
+    return filled(embedded_text("page.html"), {{"generator", html_text(generator())},
+                                               {"title", html_text(page.title)},
+                                               {"style", std::string(embedded_text("page.css"))},
+                                               {"data", page_data(page)},
+                                               {"pictures", pictures_html(page)},
+                                               {"script", page_script()},
+                                               {"watch", watch_element(page.watch_revision)}});
 }
 
 std::string page_swap_text(const PreviewPage& page) {

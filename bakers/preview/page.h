@@ -112,11 +112,4 @@ inline constexpr const char* page_name = "index.html";
 // previews. Returns nothing if page_html has not written the text.
 std::optional<std::vector<std::string>> files_of_page(std::string_view html);
 
-// The texts of page.html, page.css, the scripts of the page and page_watch.js, which the program
-// contains.
-std::string_view page_html_template();
-std::string_view page_style();
-std::string_view page_script();
-std::string_view page_watch_script();
-
 }  // namespace skybake

@@ -38,8 +38,7 @@ PagePicture report_plot(const PageAsset& asset);
 // Returns the HTML of all pictures of the page, in the order in which its scripts show them.
 std::string pictures_html(const PreviewPage& page);
 
-// Returns the text of a file of bakers/preview/live or bakers/preview/runtime by its name, such as
-// "live.html". Throws std::out_of_range where there is none.
+// Returns the text of a page's file or of one of bakers/preview/runtime by its name, such as "live.html". Throws std::out_of_range where there is none.
 std::string_view embedded_text(std::string_view name);
 
 }  // namespace skybake

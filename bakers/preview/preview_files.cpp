@@ -115,7 +115,7 @@ std::string shaders_json() {
         shaders[name] = embedded_text(std::string(name) + ".glsl");
     }
     shaders["screen"] =
-        fmt::format("{}\n{}", published_lookup("film"), embedded_text("screen.glsl"));
+        fmt::format("{}\n{}", published_lookup("film.glsl"), embedded_text("screen.glsl"));
     return safe_in_script(shaders.dump());
 }
 

@@ -320,12 +320,16 @@ TEST(ExplainCommand, ExplainsKeysAndCodes) {
 }
 
 TEST(SchemaCommand, PrintsJson) {
-    for (const char* what : {"recipe", "manifest"}) {
+    for (const char* what : {"recipe", "manifest", "sweep", "events", "plan"}) {
         const Result result = run_words({"schema", what});
         EXPECT_EQ(result.code, 0);
         EXPECT_FALSE(nlohmann::json::parse(result.out, nullptr, false).is_discarded()) << what;
     }
     EXPECT_EQ(run_words({"schema"}).out, run_words({"schema", "recipe"}).out);
+    expect_has(run_words({"schema", "manifest"}).out,
+               {"\"title\": \"skybake manifest\"", R"("enum": ["exr", "png", "tga", "hdr"])",
+                R"("enum": ["exr", "vdb", "bin", "png", "dds", "ktx2", "nvdb", "vol", )"
+                R"("npy", "tga", "usda", "tif", "f32", "hdr", "json", "sidecar"])"});
     EXPECT_EQ(run_words({"schema", "recip"}).code, 2);
 }
 

@@ -16,21 +16,21 @@ namespace {
 
 using Language = ShadingLanguage;
 
-constexpr std::array<const char*, 15> kLibraries = {"aerial_perspective",
-                                                    "blue_noise",
-                                                    "bruneton",
-                                                    "clouds",
-                                                    "columns",
-                                                    "environment",
-                                                    "film",
-                                                    "irradiance",
-                                                    "moments",
-                                                    "multiple_scattering",
-                                                    "noise",
-                                                    "phase",
-                                                    "sky_view",
-                                                    "transmittance",
-                                                    "weather_map"};
+constexpr std::array<const char*, 15> kLibraries = {"aerial_perspective.glsl",
+                                                    "blue_noise.glsl",
+                                                    "bruneton.glsl",
+                                                    "clouds.glsl",
+                                                    "columns.glsl",
+                                                    "environment.glsl",
+                                                    "film.glsl",
+                                                    "irradiance.glsl",
+                                                    "moments.glsl",
+                                                    "multiple_scattering.glsl",
+                                                    "noise.glsl",
+                                                    "phase.glsl",
+                                                    "sky_view.glsl",
+                                                    "transmittance.glsl",
+                                                    "weather_map.glsl"};
 
 // Without what stands before the functions.
 std::string body(std::string_view glsl, Language to) {

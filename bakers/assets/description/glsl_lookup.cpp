@@ -137,7 +137,7 @@ std::string lookup_glsl(const AssetLookup& lookup, const std::string& name) {
         text += (text.empty() ? "" : "\n") + text_of(function, name);
     }
     // Each function stands below those that it calls. The first paragraph says what holds for all.
-    const auto paragraphs = paragraphs_of(published_lookup(lookup.library));
+    const auto paragraphs = paragraphs_of(published_lookup(fmt::format("{}.glsl", lookup.library)));
     for (std::size_t i = paragraphs.size(); i-- > 0;) {
         const std::string code = without_glsl_comments(text);
         const std::vector<std::string> names = defined_in(paragraphs[i]);

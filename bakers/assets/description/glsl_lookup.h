@@ -63,9 +63,9 @@ std::string cost_text(const LookupCost& cost);
 std::string color_glsl(const ColorConvention& color, const std::vector<double>& wavelengths_nm,
                        bool is_packet, const std::string& name);
 
-// The text of examples/lookups/LIBRARY.glsl, which the build puts into the program. Throws
-// std::out_of_range where there is none.
-std::string_view published_lookup(std::string_view library);
+// The text of a file of examples/lookups by its name, such as "film.glsl", which the build puts into the
+// program. Throws std::out_of_range where there is none.
+std::string_view published_lookup(std::string_view name);
 
 // Text as a comment, in lines of at most 100 characters.
 std::string glsl_comment(std::string_view text);

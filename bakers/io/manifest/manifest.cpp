@@ -8,7 +8,6 @@
 #include "bakers/io/manifest/claimed_files.h"
 #include "bakers/io/manifest/release.h"
 #include "bakers/math/hash.h"
-#include "config/sections/file_formats.h"
 
 namespace skybake {
 
@@ -161,24 +160,6 @@ std::vector<std::string> manifest_alterations(const Json& manifest) {
                         found, manifest.at("hash").get<std::string>()));
     }
     return alterations;
-}
-
-std::string with_formats(std::string_view schema) {
-    std::string all;
-    std::string images;
-    for (const config::FormatFacts& format : config::file_formats) {
-        const std::string name = fmt::format("\"{}\"", format.name);
-        all += (all.empty() ? "" : ", ") + name;
-        if (format.is_image) images += (images.empty() ? "" : ", ") + name;
-    }
-    std::string text(schema);
-    for (const auto& [mark, names] :
-         {std::pair("\"@formats@\"", all), std::pair("\"@image_formats@\"", images)}) {
-        for (std::size_t at; (at = text.find(mark)) != std::string::npos;) {
-            text.replace(at, std::string_view(mark).size(), names);
-        }
-    }
-    return text;
 }
 
 }  // namespace skybake

@@ -171,13 +171,6 @@ std::vector<RetiredFile> files_no_longer_made(const Manifest& previous, const Ma
 // else.
 Manifest claims_of(const Manifest& manifest);
 
-// Returns the JSON Schema that the texts of manifest_json satisfy.
-std::string manifest_schema();
-
-// Returns the text of a JSON Schema in which "@formats@" is replaced by the names of all formats
-// and "@image_formats@" by those of images: "exr", "vdb", ...
-std::string with_formats(std::string_view schema);
-
 // Returns resolved values as one JSON object, nested by path: {"atmosphere": {"ground_radius":
 // "6360000 m"}}.
 std::string parameters_json(std::span<const config::ResolvedValue> values);

@@ -45,7 +45,7 @@ std::string live_air_glsl(const RuntimeAir& air) {
                light_type(air), names, textures.names[0], textures.names[1]) +
            fmt::format("uniform highp sampler2D {};\nconst float R = {}, D = {};\n", names,
                        glsl_number(shell.ground_radius_km), glsl_number(shell.thickness_km)) +
-           std::string(published_lookup("phase")) + std::string(embedded_text("phase.glsl")) +
+           std::string(published_lookup("phase.glsl")) + std::string(embedded_text("phase.glsl")) +
            air_glsl(air, textures) + linear_srgb_glsl(air);
 }
 
@@ -111,7 +111,7 @@ std::string live_cloud_glsl(const std::vector<LiveCloud>& clouds) {
     for (std::size_t i = 0; i < clouds.size(); ++i) {
         text += fmt::format("uniform highp sampler3D cloud_table_{0}, cells_table_{0};\n", i);
     }
-    return text + cloud_constants(clouds) + std::string(published_lookup("clouds")) +
+    return text + cloud_constants(clouds) + std::string(published_lookup("clouds.glsl")) +
            function_of_layers("float value_at(int layer, vec3 p)", clouds,
                               [](std::size_t i) {
                                   return fmt::format("cloud_density(cloud_table_{0}, p, TILE[{0}])",

@@ -282,7 +282,7 @@ std::string linear_srgb_glsl(const RuntimeAir& air) {
 }
 
 std::string film_glsl(const RuntimeAir& air) {
-    return linear_srgb_glsl(air) + "\n" + std::string(published_lookup("film")) +
+    return linear_srgb_glsl(air) + "\n" + std::string(published_lookup("film.glsl")) +
            fmt::format(
                "\n// Returns what a screen shows, sRGB, of light that is multiplied by the "
                "exposure, as previews do.\n"

@@ -30,17 +30,14 @@ std::string index_csv(const config::Sweep& sweep, std::span<const VariantResult>
 // Returns the same as one JSON object per line.
 std::string index_jsonl(const config::Sweep& sweep, std::span<const VariantResult> variants);
 
-// Returns the text of sweep.json. sweep_schema.json defines its form.
+// Returns the text of sweep.json. sweep_schema.json defines its form, and below $defs/variant that of a line of
+// index.jsonl.
 std::string sweep_json(const config::Sweep& sweep, std::span<const VariantResult> variants);
 
 // Returns one line for each asset of each variant that is done: the variant's index, the asset, the
 // wall times in seconds of the bake that made it, and the variant's name. A copy has the times of the
 // asset that it is a copy of.
 std::string timing_csv(std::span<const VariantResult> variants);
-
-// Returns the JSON Schema of sweep.json. The schema of a line of index.jsonl is below
-// $defs/variant.
-std::string_view sweep_schema();
 
 // Checks whether a sweep may be written into the folder. E0302 and E0303 as for
 // inspect_output_folder; E0303 also if the folder holds a bake. If the folder has a sweep.json of
