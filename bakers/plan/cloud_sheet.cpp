@@ -128,10 +128,10 @@ std::vector<CloudView> pixels_of(const Cloud& cloud, const CloudRange& range, st
 }
 
 template <class Values>
-LightPicture picture_of(const Values& value_at) {
-    LightPicture picture{kWidth, kHeight, {}};
-    for (std::size_t i = 0; i < kWidth * kHeight; ++i) {
-        picture.pixels.emplace_back(glm::dvec3(value_at(i)));
+Image2<float> picture_of(const Values& value_at) {
+    Image2<float> picture(kWidth, kHeight, 3);
+    for (std::size_t i = 0; i < picture.texels.size(); ++i) {
+        picture.texels[i] = static_cast<float>(value_at(i / 3));
     }
     return picture;
 }
@@ -155,14 +155,15 @@ Outcome<std::string> cloud_sheet(const Cloud& cloud, const cloud_light::CloudLay
         CloudTruth truth(layer, range, pixels_of(cloud, range, s), options);
         truth.trace(kPathsOfPixel * kWidth * kHeight);
         if (options.cancelled()) return {};
-        const LightPicture traced =
+        const Image2<float> traced =
             picture_of([&](std::size_t i) { return truth.light()[i].sum(); });
         const double exposure = exposure_of(traced);
         block.pictures[2 * s] = shown_picture(traced, exposure);
         CloudOfWay found(cloud, truth, options);
         for (std::size_t c = 0; c < clouds.size(); ++c) {
             const FoundCloud one = found.find(*clouds[c].way, clouds[c].assets);
-            const LightPicture picture = picture_of([&](std::size_t i) { return one.radiance[i]; });
+            const Image2<float> picture =
+                picture_of([&](std::size_t i) { return one.radiance[i]; });
             const std::size_t at = (c + 1) * 2 * suns + 2 * s;
             block.pictures[at] = shown_picture(picture, exposure);
             block.pictures[at + 1] = exposed_difference(picture, traced, exposure);

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <glm/gtc/type_ptr.hpp>
+
 #include "bakers/assets/bruneton/scattering_table.h"
 #include "bakers/assets/registry/registry.h"
 #include "bakers/io/manifest/metadata.h"
@@ -94,13 +97,14 @@ class Screen {
 };
 
 // Returns the picture of the sky under one of the suns, both halves of it.
-LightPicture sky_under(const std::vector<glm::dvec3>& colors, int rows, std::size_t sun) {
-    LightPicture sky{2 * kHalfWidth, rows, {}};
+Image2<float> sky_under(const std::vector<glm::dvec3>& colors, int rows, std::size_t sun) {
+    Image2<float> sky(2 * kHalfWidth, rows, 3);
     const std::size_t first = sun * static_cast<std::size_t>(kHalfWidth * rows);
     for (int y = 0; y < rows; ++y) {
         for (int x = 0; x < sky.width; ++x) {
             const int half = x < kHalfWidth ? kHalfWidth - 1 - x : x - kHalfWidth;
-            sky.pixels.push_back(colors[first + static_cast<std::size_t>(y * kHalfWidth + half)]);
+            const glm::vec3 color(colors[first + static_cast<std::size_t>(y * kHalfWidth + half)]);
+            std::copy_n(glm::value_ptr(color), 3, sky.texel(x, y));
         }
     }
     return sky;
@@ -192,7 +196,7 @@ Outcome<std::string> light_sheet(config::Draws light, const Parameters& paramete
     }
     block.rows.emplace_back("paths of light");
     for (std::size_t s = 0; s < suns.size(); ++s) {
-        const LightPicture sky = sky_under(traced, band.rows, s);
+        const Image2<float> sky = sky_under(traced, band.rows, s);
         block.pictures.push_back(shown_picture(sky, exposure_of(sky)));
         block.pictures.emplace_back();
     }
@@ -201,8 +205,8 @@ Outcome<std::string> light_sheet(config::Draws light, const Parameters& paramete
         const auto colors = screen.colors(found.find(*way.way, way.assets));
         block.rows.push_back(full_name(*way.way));
         for (std::size_t s = 0; s < suns.size(); ++s) {
-            const LightPicture wanted = sky_under(traced, band.rows, s);
-            const LightPicture one = sky_under(colors, band.rows, s);
+            const Image2<float> wanted = sky_under(traced, band.rows, s);
+            const Image2<float> one = sky_under(colors, band.rows, s);
             block.pictures.push_back(shown_picture(one, exposure_of(wanted)));
             block.pictures.push_back(difference_picture(one, wanted));
         }

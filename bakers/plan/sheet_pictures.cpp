@@ -2,75 +2,57 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <set>
 #include <string>
 
 #include "bakers/plan/plan.h"
+#include "bakers/plot/false_colours.h"
+#include "bakers/render/tone_curve.h"
 
 namespace skybake {
 namespace {
 
 constexpr int kEnlarged = 3;
 
-double luminance(const glm::dvec3& color) {
-    return 0.2126 * color.x + 0.7152 * color.y + 0.0722 * color.z;
+Image2<float> enlarged(const Image2<float>& image) {
+    const int edge = kEnlarged * std::max(image.width, image.height);
+    return fitted(image, edge, 2 * edge);
 }
 
-std::uint8_t on_screen(double light) {
-    const double shown = 1 - std::exp(-std::max(light, 0.0));
-    const double coded =
-        shown <= 0.0031308 ? 12.92 * shown : 1.055 * std::pow(shown, 1 / 2.4) - 0.055;
-    return static_cast<std::uint8_t>(std::lround(255 * std::clamp(coded, 0.0, 1.0)));
-}
-
-// Draws pixels enlarged. `color_at` returns the colour of one.
-template <class ColorAt>
-Picture enlarged(const LightPicture& light, const ColorAt& color_at) {
-    Picture picture(light.width * kEnlarged, light.height * kEnlarged);
-    std::uint8_t* to = picture.rgb.data();
-    for (int y = 0; y < picture.height; ++y) {
-        for (int x = 0; x < picture.width; ++x) {
-            const int pixel = y / kEnlarged * light.width + x / kEnlarged;
-            const auto color = color_at(static_cast<std::size_t>(pixel));
-            to = std::copy(color.begin(), color.end(), to);
+// Draws how far luminances are off; `off` takes that of the light and that of the truth.
+template <class Off>
+Picture differences(const Image2<float>& light, const Image2<float>& truth, const Off& off) {
+    Image2<float> field(light.width, light.height, 1);
+    for (int y = 0; y < field.height; ++y) {
+        for (int x = 0; x < field.width; ++x) {
+            *field.texel(x, field.height - 1 - y) = static_cast<float>(
+                off(luminance(light.texel(x, y), 3), luminance(truth.texel(x, y), 3)));
         }
     }
-    return picture;
-}
-
-Colour difference_colour(double off) {
-    return diverging_colour(std::clamp(0.5 + 0.5 * off / kShownDifference, 0.0, 1.0));
+    return in_false_colours(enlarged(field),
+                            {-kShownDifference, kShownDifference, false, true, ""});
 }
 
 }  // namespace
 
-double exposure_of(const LightPicture& truth) {
-    std::vector<double> values;
-    for (const glm::dvec3& color : truth.pixels) values.push_back(luminance(color));
-    std::ranges::sort(values);
-    const double bright = values[values.size() * 9 / 10];
-    return bright > 0 ? 1.5 / bright : 1;
+double exposure_of(const Image2<float>& truth) {
+    return exposure_by({0.9, 1 - std::exp(-1.5)}, truth, ToneCurve::exponential);
 }
 
-Picture shown_picture(const LightPicture& light, double exposure) {
-    return enlarged(light, [&](std::size_t i) {
-        const glm::dvec3 color = exposure * light.pixels[i];
-        return Colour{on_screen(color.x), on_screen(color.y), on_screen(color.z)};
+Picture shown_picture(const Image2<float>& light, double exposure) {
+    return tone_mapped(enlarged(light), exposure, ToneCurve::exponential);
+}
+
+Picture difference_picture(const Image2<float>& light, const Image2<float>& truth) {
+    return differences(light, truth, [](double found, double wanted) {
+        return wanted > 0 ? found / wanted - 1 : 0;
     });
 }
 
-Picture difference_picture(const LightPicture& light, const LightPicture& truth) {
-    return enlarged(light, [&](std::size_t i) {
-        const double wanted = luminance(truth.pixels[i]);
-        return difference_colour(wanted > 0 ? luminance(light.pixels[i]) / wanted - 1 : 0);
-    });
-}
-
-Picture exposed_difference(const LightPicture& light, const LightPicture& truth, double exposure) {
-    return enlarged(light, [&](std::size_t i) {
-        return difference_colour(std::exp(-exposure * luminance(truth.pixels[i])) -
-                                 std::exp(-exposure * luminance(light.pixels[i])));
+Picture exposed_difference(const Image2<float>& light, const Image2<float>& truth,
+                           double exposure) {
+    return differences(light, truth, [exposure](double found, double wanted) {
+        return std::exp(-exposure * wanted) - std::exp(-exposure * found);
     });
 }
 
