@@ -87,6 +87,17 @@ Outcome<WriteResult> write_depfile(const fs::path& path, const FolderBake& bake,
     return write_file_atomically(path, depfile_text(targets, bake.recipe->inputs));
 }
 
+// Returns E0303 if the dependencies would replace a file of another kind.
+std::vector<Diagnostic> check_depfile(const Invocation& invocation) {
+    std::error_code ignored;
+    const fs::path path = invocation.has(options::depfile) ? invocation[options::depfile] : "";
+    if (invocation[options::force] || !fs::is_regular_file(path, ignored)) return {};
+    const auto found = read_file(path);
+    if (!found.value) return found.diagnostics;
+    if (is_depfile(*found.value)) return {};
+    return {foreign_file(path, "holds no dependencies that skybake wrote")};
+}
+
 // Returns E0302 if the output is the cache: its assets would lie beside the entries, and no later run could
 // tell that the folder is a cache.
 std::vector<Diagnostic> check_two_folders(const fs::path& cache, const fs::path& output) {
@@ -110,6 +121,8 @@ ExitCode run_bake(const Invocation& invocation, Console& console) {
     const bool json = console.display().json;
     if (invocation[options::dry_run]) return dry_run(bake, json, console);
 
+    const auto depfile = check_depfile(invocation);
+    if (!depfile.empty()) return console.report(depfile);
     const auto url = cache_url(invocation);
     if (!url.value) return console.report(url.diagnostics);
     const auto folder = cache_folder(invocation);

@@ -79,7 +79,7 @@ Outcome<config::Sweep> sweep_of(const Invocation& invocation) {
     auto sweep = config::load_sweep(invocation.arguments()[0], invocation[options::set], given);
     if (!sweep.value || !sweep.value->axes.empty()) return sweep;
     return usage_error("there is nothing to vary: add [sweep] to the recipe or pass --vary",
-                       "for example --vary clouds.cumulus.coverage=0.2:0.8:4");
+                       "for example --vary clouds.cumulus.cover=0.2:0.8:4");
 }
 
 std::vector<Diagnostic> contradictions(const Invocation& invocation) {
@@ -288,7 +288,7 @@ Command sweep_command() {
                     cache_row(), server_row(),
                     options::max_memory("limit the memory of all variants at once (2GiB, 500M)"),
                     options::force("overwrite files that skybake did not write")},
-        .examples = {{"skybake sweep clouds.toml --vary clouds.cumulus.coverage=0.2:0.8:4 --vary "
+        .examples = {{"skybake sweep clouds.toml --vary clouds.cumulus.cover=0.2:0.8:4 --vary "
                       "clouds.cumulus.convection.seed=1,2",
                       "bakes 8 variants"},
                      {"skybake sweep sky.toml --shard 1/2", "bakes half of the variants"},

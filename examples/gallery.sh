@@ -114,7 +114,7 @@ sweeps() {
     swept two "$examples/earth.toml" --vary 'bake.multiple_scattering.size=[8,8],[16,16],[32,32]' \
         --vary bake.multiple_scattering.pixel_type=float,half
     swept three "$examples/clouds.toml" --vary 'bake.cumulus.size=[100,100,16],[200,200,32]' \
-        --vary clouds.cumulus.coverage=0.4,0.6,0.8 --vary clouds.cumulus.convection.seed=1,2
+        --vary clouds.cumulus.cover=0.2,0.4,0.6 --vary clouds.cumulus.convection.seed=1,2
     mapfile -t shown < <(pictures 'sweeps/*_page/*.png' | grep -E '/(contact_sheet[a-z_]*|[a-z_]+_variants)\.png$')
     sheets sweeps "${shown[@]}"
 }

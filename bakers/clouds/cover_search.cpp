@@ -1,6 +1,7 @@
 #include "bakers/clouds/cover_search.h"
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -62,14 +63,14 @@ class CoverSearch {
             if (middle <= low.first || middle >= high.first) break;
             const Count count = count_at(middle);
             if (count.least <= wanted && wanted <= count.most) {
-                return {middle, share_of(count.least), reach};
+                return {middle, share_of(count.least), 1, reach};
             }
             const bool is_low = count.most < wanted;
             (is_low ? low : high) = {middle, is_low ? count.most : count.least};
         }
         const auto& nearest =
             std::abs(wanted - low.second) <= std::abs(high.second - wanted) ? low : high;
-        return {nearest.first, share_of(nearest.second), reach};
+        return {nearest.first, share_of(nearest.second), 1, reach};
     }
 
   private:
@@ -182,7 +183,68 @@ class CoverSearch {
     std::vector<double> peaks_;  // the greatest q of each column; -infinity: none above 0
 };
 
+// The columns of a plan that hold cloud.
+std::int64_t covered_columns(CloudPlan plan, const CoverRequest& request,
+                             const BakeOptions& options) {
+    const CloudField field(std::move(plan));
+    const std::array<int, 3>& size = field.plan().size;
+    std::atomic<std::int64_t> covered = 0;
+    const int tiles = (size[1] + kRows - 1) / kRows;
+    parallel_for(tiles, options.threads, [&](int tile) {
+        if (options.cancelled()) return;
+        const int first = tile * kRows;
+        const VoxelBox box{{0, first, 0}, {size[0], std::min(kRows, size[1] - first), size[2]}};
+        if (field.is_empty(box)) return;
+        std::vector<float> values(static_cast<std::size_t>(box.count()));
+        std::vector<float*> channels(static_cast<std::size_t>(field.plan().channels), nullptr);
+        channels.front() = values.data();
+        field.fill(box, channels);
+        std::vector<char> holds(values.size() / static_cast<std::size_t>(size[2]));
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            const double stored = round_to_pixel_type(double{values[i]}, request.pixel_type);
+            if (stored > request.level) holds[i % holds.size()] = 1;
+        }
+        covered += std::ranges::count(holds, 1);
+    });
+    return covered;
+}
+
 }  // namespace
+
+FoundCover find_grown_cover(const std::function<CloudPlan(double coverage)>& plan_of,
+                            const CoverRequest& request, const BakeOptions& options) {
+    constexpr double kMost = 8;  // more water than the driest air lacks
+    constexpr int kSteps = 40;
+    const CloudPlan as_grown = plan_of(1);
+    const auto columns = static_cast<double>(as_grown.size[0]) * as_grown.size[1];
+    const auto wanted = static_cast<std::int64_t>(std::llround(request.share * columns));
+    const auto count_at = [&](double coverage) {
+        return covered_columns(plan_of(coverage), request, options);
+    };
+    const std::int64_t least = count_at(0);
+    std::pair low{0.0, least};
+    std::pair high{1.0, covered_columns(as_grown, request, options)};
+    for (; high.second < wanted && high.first < kMost;
+         high = {2 * high.first, count_at(2 * high.first)}) {
+        low = high;
+    }
+    FoundCover found{.most = high.first,
+                     .reach = {static_cast<double>(least) / columns,
+                               static_cast<double>(high.second) / columns}};
+    // Every second step halves the range; those between it guess from the counts at its ends.
+    for (int step = 0; low.second < wanted && wanted < high.second && step < kSteps; ++step) {
+        const double guess = static_cast<double>(wanted - low.second) /
+                             static_cast<double>(high.second - low.second);
+        const double middle = std::lerp(low.first, high.first, step % 2 == 0 ? guess : 0.5);
+        const std::int64_t count = count_at(middle);
+        (count <= wanted ? low : high) = {middle, count};
+    }
+    const bool is_low = std::abs(wanted - low.second) <= std::abs(high.second - wanted);
+    const auto& nearest = is_low ? low : high;
+    found.coverage = nearest.first;
+    found.share = static_cast<double>(nearest.second) / columns;
+    return found;
+}
 
 FoundCover find_cover(const CloudPlan& plan, const CoverRequest& request,
                       const BakeOptions& options) {

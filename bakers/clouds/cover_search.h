@@ -13,6 +13,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 
 #include "bakers/clouds/cloud_plan.h"
 #include "bakers/math/bake_options.h"
@@ -29,7 +30,8 @@ struct CoverRequest {
 struct FoundCover {
     double coverage = 1;
     double share = 0;               // of the columns that hold cloud at this coverage
-    std::array<double, 2> reach{};  // the shares at the coverages 0 and 1
+    double most = 1;                // the greatest coverage that was tried
+    std::array<double, 2> reach{};  // the shares at the coverages 0 and `most`
 };
 
 // One in so many columns, or 512, may hold cloud from the same coverage on. Where the noise is constant, more
@@ -42,5 +44,10 @@ inline constexpr std::size_t kMostTiedColumns = 255;
 // number of threads and any instruction set. After an interruption it must not be used.
 FoundCover find_cover(const CloudPlan& plan, const CoverRequest& request,
                       const BakeOptions& options);
+
+// Finds the same for a cloud that has grown, whose coverage may exceed 1 (grown_volume.h), by counting the
+// columns of the plans that `plan_of` makes of coverages.
+FoundCover find_grown_cover(const std::function<CloudPlan(double coverage)>& plan_of,
+                            const CoverRequest& request, const BakeOptions& options);
 
 }  // namespace skybake::cloud

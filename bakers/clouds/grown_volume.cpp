@@ -117,11 +117,12 @@ Relief relief_of(const Cloud& cloud, const Noise* detail, const std::array<int, 
 
 GrownVolume::GrownVolume(std::shared_ptr<const convection::GrownCloud> cloud,
                          const std::array<double, 3>& cell_m, const std::array<int, 3>& size,
-                         Relief relief)
+                         Relief relief, double coverage)
     : cloud_(std::move(cloud)),
       size_(size),
       cell_m_(cell_m),
       relief_(std::move(relief)),
+      added_(static_cast<float>((coverage - 1) * double{cloud_->full_water})),
       slopes_(slopes_of(*cloud_, cell_m)) {
     const std::ptrdiff_t plane = std::ptrdiff_t{cloud_->cells[0]} * cloud_->cells[1];
     for (auto z = cloud_->water.begin(); z != cloud_->water.end(); z += plane) {
@@ -215,7 +216,8 @@ void GrownVolume::sharpen_edges(const VoxelBox& box, const std::vector<float>& s
         const int below = taps_at(2, box.origin[2] + static_cast<int>(z)).first + 1;
         const float most = std::max(most_at(below), most_at(below + 1));
         for (const std::size_t end = i + plane; i < end; ++i) {
-            water[i] = std::min({sharpness_ * water[i], water[i] + slopes[i] * blur_m_, most});
+            const float wet = water[i] + added_;
+            water[i] = std::min({sharpness_ * wet, wet + slopes[i] * blur_m_, most});
         }
     }
 }
@@ -256,15 +258,15 @@ bool GrownVolume::is_empty(const VoxelBox& asked) const {
         }
         return double{most};
     };
-    const double water = greatest(cloud_->water);
+    const double water = greatest(cloud_->water) + double{added_};
     if (water > 0 || !relief_.noise) return water <= 0;
     constexpr double kRoom = 1e-5;  // for what kernels round
     return water + (1 + kRoom) * greatest(slopes_) * relief_.height_m <= 0;
 }
 
 CloudVolume volume_of_grown(const std::shared_ptr<const convection::GrownCloud>& grown,
-                            const Cloud& cloud, const Noise* detail,
-                            const std::array<int, 3>& size) {
+                            const Cloud& cloud, const Noise* detail, const std::array<int, 3>& size,
+                            double coverage) {
     CloudVolume volume;
     SourceVoxels& source = volume.source;
     std::array<double, 3> cell_m{};
@@ -273,8 +275,8 @@ CloudVolume volume_of_grown(const std::shared_ptr<const convection::GrownCloud>&
         source.voxel_size_m[i] = cloud.extent[i].meters / source.size[i];
         cell_m[i] = cloud.extent[i].meters / grown->cells[i];
     }
-    source.voxels = std::make_shared<const GrownVolume>(grown, cell_m, source.size,
-                                                        relief_of(cloud, detail, source.size));
+    source.voxels = std::make_shared<const GrownVolume>(
+        grown, cell_m, source.size, relief_of(cloud, detail, source.size), coverage);
     source.largest = 1;
     volume.wrap = config::VolumeWrap::repeat;
     if (!grown->velocity.empty()) volume.flow = grown;

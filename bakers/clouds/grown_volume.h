@@ -5,7 +5,8 @@
 // for the condensed water q, as extinction is that of a fixed number of droplets, and the water `full` that
 // a parcel holds at the inversion without mixing. Between cells q is Catmull and Rom's cubic along x, then y,
 // then z, kept within the two cells that it lies between, and what dry air lacks counts below 0: an edge of
-// the cloud lies where q passes 0, not where a cell ends.
+// the cloud lies where q passes 0, not where a cell ends. The coverage c of a cloud adds (c - 1) `full` to q: less than
+// 1 thins it out, more than 1 lets it spread.
 //
 // Relief is the shape that is finer than cells. Noise d in [0, 1] moves the edge by r (2 d - 1), outwards
 // where that is positive, since q falls by its slope per metre on the way out:
@@ -50,7 +51,7 @@ class GrownVolume : public VoxelSource {
     // `cell_m` are the edges of the cells. `size` is at least as large as the cells along each axis.
     GrownVolume(std::shared_ptr<const convection::GrownCloud> cloud,
                 const std::array<double, 3>& cell_m, const std::array<int, 3>& size,
-                Relief relief = {});
+                Relief relief = {}, double coverage = 1);
 
     // Boxes may reach below and above the size, where there is nothing.
     void fill(const VoxelBox& box, const std::vector<float*>& channels) const override;
@@ -77,7 +78,7 @@ class GrownVolume : public VoxelSource {
     void sharpen_edges(const VoxelBox& box, const std::vector<float>& slopes, float* water) const;
     // The water of the wettest cell of a level.
     float most_at(int z) const {
-        return most_[static_cast<std::size_t>(std::clamp(z, 0, cloud_->cells[2] - 1))];
+        return added_ + most_[static_cast<std::size_t>(std::clamp(z, 0, cloud_->cells[2] - 1))];
     }
     double relief_m(double z) const;  // r at the middle of slice z
     void along_x(const VoxelBox& box, const float* cells, float* out) const;
@@ -90,6 +91,7 @@ class GrownVolume : public VoxelSource {
     std::array<double, 3> cell_m_;
     std::array<std::vector<Taps>, 3> taps_;
     Relief relief_;
+    float added_ = 0;  // (c - 1) full, in g/kg
     std::vector<float> most_;
     float blur_m_ = 0;           // b
     float sharpness_ = 1;        // s
@@ -98,7 +100,7 @@ class GrownVolume : public VoxelSource {
 
 // Returns the volume that a cloud takes its density from, for a bake of a size; `detail` may be null.
 CloudVolume volume_of_grown(const std::shared_ptr<const convection::GrownCloud>& grown,
-                            const Cloud& cloud, const Noise* detail,
-                            const std::array<int, 3>& size);
+                            const Cloud& cloud, const Noise* detail, const std::array<int, 3>& size,
+                            double coverage = 1);
 
 }  // namespace skybake::cloud

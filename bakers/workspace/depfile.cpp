@@ -47,4 +47,11 @@ std::string depfile_text(std::span<const fs::path> targets, std::span<const fs::
     return text;
 }
 
+bool is_depfile(std::string_view text) {
+    constexpr std::string_view end_of_targets = "manifest.json: \\\n";
+    const std::size_t line = text.find('\n');
+    return text.empty() || (line != std::string_view::npos && text.ends_with(":\n") &&
+                            text.substr(0, line + 1).ends_with(end_of_targets));
+}
+
 }  // namespace skybake

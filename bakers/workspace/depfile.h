@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace skybake {
 
@@ -15,5 +16,8 @@ namespace skybake {
 // input is removed.
 std::string depfile_text(std::span<const std::filesystem::path> targets,
                          std::span<const std::filesystem::path> inputs);
+
+// Whether a file holds what depfile_text returns for a bake, or nothing.
+bool is_depfile(std::string_view text);
 
 }  // namespace skybake

@@ -139,7 +139,7 @@ void add_sweep_options(const SweepOptions& options, RecipeSources& sources,
             continue;
         }
         diagnostics.error("E0122", {&source}, "--vary takes KEY=FROM:TO:COUNT or KEY=VALUE,VALUE",
-                          "for example --vary clouds.cumulus.coverage=0.2:0.8:4");
+                          "for example --vary clouds.cumulus.cover=0.2:0.8:4");
     }
     if (!options.zip.empty()) {
         Source& source = add_setting(

@@ -208,7 +208,10 @@ const CloudField cloud_table[] = {
     {"coverage", Kind::fraction, &Cloud::coverage,
      "how much cloud the noise leaves: 1 keeps all of it, lower values thin it out; at 0 only "
      "towers taller than 1 remain",
-     unit_range, Default{"1"}, Exclusive{"amount", "coverage"}, Cited{schneider_2015}},
+     unit_range, Default{"1"},
+     Hint{"a cloud that grows loses the share 1 - coverage of `full_water_g_per_kg` everywhere, "
+          "edges first"},
+     Exclusive{"amount", "coverage"}, Cited{schneider_2015}},
     {"cover", Kind::fraction, nullptr,
      "share of the columns of voxels that hold cloud; the bake finds the coverage that gives it "
      "exactly",

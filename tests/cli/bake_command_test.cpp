@@ -127,7 +127,14 @@ TEST_F(BakeCommand, WritesADepfile) {
     const std::string text = read_bytes(depfile);
     EXPECT_EQ(text.rfind(out_ + "/transmittance.exr ", 0), 0U) << text;
     EXPECT_TRUE(contains(text, "\n  " + recipe_)) << text;
+    EXPECT_EQ(bake({"--depfile", depfile}).code, 0) << "over its own";
     expect_said(bake({"--depfile", (folder_ / "none/sky.d").string()}), 3, {"E0301"});
+    const std::string recipe = read_bytes(recipe_);
+    for (const std::string& other : {recipe_, out_ + "/manifest.json"}) {
+        const std::string before = read_bytes(other);
+        expect_said(bake({"--depfile", other}), 3, {"E0303", "holds no dependencies"});
+        EXPECT_EQ(read_bytes(other), before);
+    }
 }
 
 TEST_F(BakeCommand, PrintsPathsOnStdoutAndTheTableOnStderr) {

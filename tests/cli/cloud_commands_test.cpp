@@ -90,17 +90,34 @@ TEST_F(CloudBake, FramesSayHowMuchTheyChange) {
     EXPECT_EQ(bake().error.find("W0229"), std::string::npos);
 }
 
+// A recipe of a small cloud that grows.
+std::string grown_recipe(int height_m, const std::string& keys = "") {
+    return fmt::format(
+        "[clouds.c]\nshape = \"convection\"\nextent = [\"1 km\", \"1 km\", \"{} m\"]\n{}"
+        "[clouds.c.convection]\ncells = [20, 20, {}]\nmixed_layer = \"200 m\"\n"
+        "inversion = \"300 m\"\npatches = 2\npatch_width = [\"300 m\", \"400 m\"]\nminutes = 12\n"
+        "[bake.c]\nasset = \"cloud_volume\"\ncloud = \"c\"\nsize = [20, 20, {}]\n",
+        height_m, keys, height_m / 50, height_m / 50);
+}
+
+// It reaches any cover, below that with which it has grown and above it.
+TEST_F(CloudBake, MeetsTheCoverOfACloudThatGrows) {
+    for (const double cover : {0.01, 0.1, 0.5, 1.0}) {
+        write_bytes(recipe_, grown_recipe(900, fmt::format("cover = {}\n", cover)));
+        const Result result = bake();
+        ASSERT_EQ(result.code, 0) << result.error;
+        const auto details =
+            nlohmann::json::parse(read_bytes(out_ + "/manifest.json"))["assets"][0]["details"];
+        EXPECT_NEAR(details["covered_columns"], cover, 1.0 / 400) << details["coverage"];
+    }
+    write_bytes(recipe_, grown_recipe(900, "cover = 0\n"));
+    EXPECT_EQ(bake().code, 0);
+}
+
 // What reaches the top of its box is cut there.
 TEST_F(CloudBake, WarnsWhereACloudThatGrowsIsCut) {
     const auto baked = [&](int height_m) {
-        write_bytes(
-            recipe_,
-            fmt::format("[clouds.c]\nshape = \"convection\"\nextent = [\"1 km\", \"1 km\", \"{} "
-                        "m\"]\n[clouds.c.convection]\ncells = [20, 20, {}]\nmixed_layer = "
-                        "\"200 m\"\ninversion = \"300 m\"\npatches = 2\npatch_width = [\"300 "
-                        "m\", \"400 m\"]\nminutes = 12\n[bake.c]\nasset = \"cloud_volume\"\n"
-                        "cloud = \"c\"\nsize = [20, 20, {}]\n",
-                        height_m, height_m / 50, height_m / 50));
+        write_bytes(recipe_, grown_recipe(height_m));
         const Result result = bake();
         EXPECT_EQ(result.code, 0) << result.error;
         return result.error;

@@ -37,14 +37,16 @@ double density(double water, double full) {
     return water <= 0 ? 0 : std::min(1.0, std::pow(water / full, 2.0 / 3));
 }
 
-// Where water is even, edges have no slope and cells are what they hold.
+// Where water is even, edges have no slope and cells are what they hold. A coverage adds water to all.
 TEST(GrownVolume, IsTheDensityOfItsCells) {
     for (const float water : {-0.5F, 0.0F, 0.3F, 1.0F, 3.0F}) {
-        const auto cloud = random_cloud({6, 4, 5});
-        std::ranges::fill(cloud->water, water);
-        const GrownVolume volume(cloud, {10, 10, 10}, {6, 4, 5});
-        for (const float value : filled(volume, {{}, {6, 4, 5}})) {
-            EXPECT_NEAR(double{value}, density(double{water}, 2), 1e-6);
+        for (const double coverage : {0.25, 0.75, 1.0, 2.0}) {
+            const auto cloud = random_cloud({6, 4, 5});
+            std::ranges::fill(cloud->water, water);
+            const GrownVolume volume(cloud, {10, 10, 10}, {6, 4, 5}, {}, coverage);
+            for (const float value : filled(volume, {{}, {6, 4, 5}})) {
+                EXPECT_NEAR(double{value}, density(double{water} + 2 * (coverage - 1), 2), 1e-6);
+            }
         }
     }
 }
@@ -277,9 +279,12 @@ TEST(GrownVolume, DoesNotDependOnTheBox) {
     const std::array<int, 3> size = {15, 9, 20};
     // Mostly dry, so that many boxes are nearly empty.
     for (const double relief : {0.0, 0.1, 1.0}) {
-        const CloudVolume volume = volume_of_grown(random_cloud({6, 4, 5}, -1.5F),
-                                                   cloud_with_relief(relief), &billows(), size);
-        expect_equal_in_boxes(*volume.source.voxels, size);
+        for (const double coverage : {0.7, 1.0, 1.1}) {
+            const CloudVolume volume =
+                volume_of_grown(random_cloud({6, 4, 5}, -1.5F), cloud_with_relief(relief),
+                                &billows(), size, coverage);
+            expect_equal_in_boxes(*volume.source.voxels, size);
+        }
     }
 }
 

@@ -58,19 +58,23 @@ std::optional<cloud::CloudVolume> read_volume(const config::VolumeFile& file, Fa
     return cloud::CloudVolume{*source, file.wrap};
 }
 
-// Adds what has grown. None after an interruption.
-std::optional<cloud::CloudVolume> grown_volume(const Cloud& cloud, const Noise* detail,
-                                               const std::array<int, 3>& size, Facts& details,
-                                               const BakeOptions& options) {
+// Returns what has grown. Null after an interruption.
+std::shared_ptr<const convection::GrownCloud> grown_cloud(const Cloud& cloud, Facts& details,
+                                                          const BakeOptions& options) {
     const convection::Specification wanted = convection::specification_of(cloud);
     Intermediates* shared = options.intermediates;
     const auto grown = shared_or_made<convection::GrownCloud>(shared, NeedKey(wanted), [&] {
         return convection::grow(wanted, options, shared ? shared->kept() : nullptr);
     });
-    if (!grown) return std::nullopt;
+    if (!grown) return nullptr;
     details.emplace_back("full_water_g_per_kg", double{grown->full_water});
-    const double share = double{1} * cloud.time / std::max(cloud.period, 1);
-    return cloud::volume_of_grown(convection::at_share(grown, share), cloud, detail, size);
+    return convection::at_share(grown, double{1} * cloud.time / std::max(cloud.period, 1));
+}
+
+CloudInputs with_grown_volume(CloudInputs inputs, const Cloud& cloud,
+                              const std::array<int, 3>& size, double coverage) {
+    inputs.volume = cloud::volume_of_grown(inputs.grown, cloud, inputs.detail, size, coverage);
+    return inputs;
 }
 
 // Returns null after an interruption.
@@ -82,9 +86,16 @@ std::shared_ptr<const cloud::FoundCover> found_cover(const Parameters& parameter
     return shared_or_made<cloud::FoundCover>(
         options.intermediates, key_of_coverage(parameters, bake),
         [&]() -> std::shared_ptr<const cloud::FoundCover> {
-            const auto found = cloud::find_cover(
-                plan_of_cloud(cloud, inputs, bake.size),
-                {*bake.cover, filtered_threshold(cloud), bake.pixel_type}, options);
+            const cloud::CoverRequest request = {*bake.cover, filtered_threshold(cloud),
+                                                 bake.pixel_type};
+            const auto plan_of = [&](double coverage) {
+                return plan_of_cloud(cloud, with_grown_volume(inputs, cloud, bake.size, coverage),
+                                     bake.size);
+            };
+            const cloud::FoundCover found =
+                inputs.grown
+                    ? cloud::find_grown_cover(plan_of, request, options)
+                    : cloud::find_cover(plan_of_cloud(cloud, inputs, bake.size), request, options);
             return options.cancelled() ? nullptr : std::make_shared<cloud::FoundCover>(found);
         });
 }
@@ -102,11 +113,11 @@ std::optional<Diagnostic> missed_cover(const CloudVolumeBake& bake,
     if (found.share == found.reach[0] || found.share == found.reach[1]) {
         message = fmt::format(
             "cloud `{}` cannot cover {:.4g} %: it covers {:.4g} % at coverage 0, and {:.4g} % at "
-            "coverage 1",
-            bake.cloud, 100 * *bake.cover, 100 * found.reach[0], 100 * found.reach[1]);
+            "coverage {:g}",
+            bake.cloud, 100 * *bake.cover, 100 * found.reach[0], 100 * found.reach[1], found.most);
     }
     return diagnosis("E0412", std::move(message),
-                     "`cover` cannot be reached; change it, the height profile or the towers");
+                     "`cover` cannot be reached; change it or the shape of the cloud");
 }
 
 }  // namespace
@@ -117,8 +128,11 @@ bool take_shape(const Parameters& parameters, const CloudVolumeBake& bake, Cloud
     inputs.base = noise_of(parameters, cloud);
     if (!cloud.detail.empty()) inputs.detail = &noise_named(parameters, cloud.detail);
     if (cloud.shape != config::CloudShape::convection) return true;
-    inputs.volume = grown_volume(cloud, inputs.detail, bake.size, details, options);
-    return inputs.volume.has_value();
+    inputs.grown = grown_cloud(cloud, details, options);
+    if (!inputs.grown) return false;
+    inputs = with_grown_volume(std::move(inputs), cloud, bake.size,
+                               inputs.coverage.value_or(cloud.coverage));
+    return true;
 }
 
 Outcome<CloudInputs> cloud_inputs(const Parameters& parameters, const CloudVolumeBake& bake,
@@ -139,6 +153,9 @@ Outcome<CloudInputs> cloud_inputs(const Parameters& parameters, const CloudVolum
         const auto found = found_cover(parameters, bake, inputs, options);
         if (!found) return {};
         inputs.coverage = found->coverage;
+        if (inputs.grown) {
+            inputs = with_grown_volume(std::move(inputs), cloud, bake.size, found->coverage);
+        }
         details.emplace_back("coverage", found->coverage);
         if (auto problem = missed_cover(bake, *found)) {
             outcome.diagnostics.push_back(std::move(*problem));

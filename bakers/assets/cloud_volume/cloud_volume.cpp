@@ -199,8 +199,9 @@ void hold_shared(const Cloud& cloud, const CloudVolumeBake& bake, const CloudInp
     if (held) voxels = held;
 }
 
+// What has grown has its coverage already.
 Cloud with_coverage(Cloud cloud, const CloudInputs& inputs) {
-    cloud.coverage = inputs.coverage.value_or(cloud.coverage);
+    cloud.coverage = inputs.grown ? 1 : inputs.coverage.value_or(cloud.coverage);
     return cloud;
 }
 

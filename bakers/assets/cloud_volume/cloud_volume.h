@@ -27,6 +27,7 @@ struct CloudInputs {
     const Noise* detail = nullptr;             // null if the cloud names none
     cloud::CloudMaps maps;
     std::optional<double> coverage;  // the one that gives the cloud its cover
+    std::shared_ptr<const convection::GrownCloud> grown = {};  // null: it has not grown
 };
 
 // All that the voxels of a volume depend on, and all that the coverage of one with `cover` does.

@@ -100,7 +100,7 @@ FileDescriptor closed_last(FileDescriptor descriptor) {
 Diagnostic foreign_file(const fs::path& file, const std::string& why) {
     return file_error("E0303", file.string(),
                       fmt::format("`{}` already exists and {}", file.string(), why),
-                      "overwrite it with --force, or choose another folder with -o");
+                      "overwrite it with --force, or choose another place");
 }
 
 Outcome<OutputFolder> inspect_output_folder(const fs::path& folder,
@@ -127,7 +127,7 @@ Outcome<OutputFolder> inspect_output_folder(const fs::path& folder,
         if (!fs::exists(fs::symlink_status(path, error))) continue;
         if (result.previous && claimed.hold(file)) continue;
         diagnostics.push_back(foreign_file(
-            path, file == manifest_name ? manifest_fault : "was not written by skybake"));
+            path, file == manifest_name ? manifest_fault : "no manifest there lists it"));
     }
     if (!diagnostics.empty()) return {{}, std::move(diagnostics)};
     return {std::move(result), {}};

@@ -275,7 +275,7 @@ std::vector<Diagnostic> inspect_index(const fs::path& folder, bool force) {
         std::error_code error;
         const fs::path file = folder / name;
         if (!fs::exists(fs::symlink_status(file, error))) continue;
-        diagnostics.push_back(foreign_file(file, "was not written by skybake"));
+        diagnostics.push_back(foreign_file(file, "no manifest there lists it"));
     }
     return diagnostics;
 }
