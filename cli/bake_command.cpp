@@ -58,7 +58,7 @@ std::vector<Diagnostic> check_no_sweep(const FolderBake& bake) {
 }
 
 ExitCode dry_run(const FolderBake& bake, bool json, Console& console) {
-    const auto plan = plan_folder(bake);
+    const auto plan = plan_folder(bake, false);
     if (const ExitCode code = console.report(plan.diagnostics); !plan.value) return code;
     console.report(long_bake(*plan.value));
     console.result(json ? plan_event(*plan.value) : plan_text(*plan.value));
@@ -179,7 +179,7 @@ Command bake_command() {
                      {"skybake bake earth.toml --set atmosphere.layers.aerosol.g=0.76 -o haze",
                       "changes one value"},
                      {"skybake bake earth.toml --only transmittance --certify full",
-                      "measures the error of one table at every texel"},
+                      "measures the error of one table at more places"},
                      {"generate | skybake bake - -o out",
                       "reads a recipe whose paths are relative to the current folder"}},
         .exit_codes = {ExitCode::io, ExitCode::checks},

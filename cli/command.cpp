@@ -67,7 +67,7 @@ const std::vector<OptionRow>& global_options() {
     static const std::vector<OptionRow> table = {
         options::help("show this help, or the help of a command"),
         options::version("show the version"),
-        options::quiet("print only errors and warnings"),
+        options::quiet("print only results, errors and warnings"),
         options::verbose("print the plan of a bake as well"),
         options::json("print results and failures as JSON Lines on stdout"),
         options::color("when to colour messages", "auto"),
@@ -128,11 +128,12 @@ ExitCode report_exception(Console& console, const std::exception& exception) {
     if (is_want_of_threads(exception)) {
         diagnostic.code = "E0306";
         diagnostic.message = want_of_threads;
+    } else if (dynamic_cast<const std::bad_alloc*>(&exception) != nullptr) {
+        diagnostic.code = "E0307";
+        diagnostic.message = kWantOfMemory;
     } else {
-        const bool is_memory = dynamic_cast<const std::bad_alloc*>(&exception) != nullptr;
         diagnostic.code = "E0500";
-        diagnostic.message = fmt::format(
-            "internal error: {}", is_memory ? "there is not enough memory" : exception.what());
+        diagnostic.message = fmt::format("internal error: {}", exception.what());
     }
     return console.report({&diagnostic, 1});
 }

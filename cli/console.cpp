@@ -5,10 +5,13 @@
 #include <time.h>
 #include <unistd.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <cstdio>
+#include <new>
 #include <system_error>
 #include <utility>
 
@@ -102,6 +105,9 @@ std::vector<Diagnostic> printable(std::vector<Diagnostic> diagnostics) {
             reason = "of an unknown kind";
             std::rethrow_exception(thrown);
         }
+    } catch (const std::bad_alloc&) {
+        std::fprintf(stderr, "error[E0307]: %s\n", kWantOfMemory);
+        ::_exit(static_cast<int>(ExitCode::io));
     } catch (const std::exception& exception) {
         reason = is_want_of_threads(exception) ? nullptr : exception.what();
     } catch (...) {
@@ -143,7 +149,11 @@ Console::Console(Sink out, Sink error, Display display)
     : out_(std::move(out)), error_(std::move(error)), display_(display) {}
 
 void Console::result(std::string_view text) {
-    if (!result_lost_ && !out_.write(printable_lines(text))) result_lost_ = true;
+    if (result_lost_ || out_.write(printable_lines(text))) return;
+    result_lost_ = true;
+    if (errno == EPIPE) return;  // whoever reads has seen enough
+    write_error(fmt::format("error[E0301]: cannot write the result: {}\n",
+                            std::generic_category().message(errno)));
 }
 
 bool Console::shows_notes() const {

@@ -26,6 +26,10 @@ enum class ExitCode : int {
     interrupted = 130,
 };
 
+// Says that the system gave no memory (E0307).
+inline constexpr const char* kWantOfMemory =
+    "there is not enough memory; bake less at once, or with fewer threads";
+
 // This is where text goes. `write` returns false once the other end is gone or the disk is full.
 struct Sink {
     std::function<bool(std::string_view)> write;

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <set>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -111,22 +111,28 @@ SweepJob sweep_job(const Invocation& invocation, config::Sweep sweep) {
 // --- Baking -------------------------------------------------------------------------------------
 
 // Reports each warning once, even if several variants give it: warnings are the same if their texts
-// and their places in the recipe are the same.
+// and their places in the recipe are the same. A warning of one variant alone names it.
 void report_warnings(const std::vector<VariantResult>& results, Console& console) {
-    std::set<std::tuple<std::string, std::string, std::string, int, int>> known;
+    using Text = std::tuple<std::string, std::string, std::string, int, int>;
+    std::map<Text, std::size_t> known;
     std::vector<Diagnostic> warnings;
+    std::vector<std::string> variants;  // of each warning; empty: several
     for (const VariantResult& result : results) {
         for (const Diagnostic& diagnostic : result.diagnostics) {
             if (diagnostic.severity != Severity::warning) continue;
             const config::SourceRange& where = diagnostic.where;
-            if (known
-                    .emplace(diagnostic.code, diagnostic.message, where.source, where.line,
-                             where.column)
-                    .second) {
-                warnings.push_back(diagnostic);
+            const auto [at, is_new] = known.try_emplace(
+                {diagnostic.code, diagnostic.message, where.source, where.line, where.column},
+                warnings.size());
+            if (!is_new) {
+                variants[at->second].clear();
+                continue;
             }
+            warnings.push_back(diagnostic);
+            variants.push_back(results.size() > 1 ? result.name + ": " : "");
         }
     }
+    for (std::size_t i = 0; i < warnings.size(); ++i) warnings[i].message.insert(0, variants[i]);
     console.report(warnings);
 }
 

@@ -63,14 +63,14 @@ class CoverSearch {
             if (middle <= low.first || middle >= high.first) break;
             const Count count = count_at(middle);
             if (count.least <= wanted && wanted <= count.most) {
-                return {middle, share_of(count.least), 1, reach};
+                return {middle, share_of(count.least), {0, 1}, reach};
             }
             const bool is_low = count.most < wanted;
             (is_low ? low : high) = {middle, is_low ? count.most : count.least};
         }
         const auto& nearest =
             std::abs(wanted - low.second) <= std::abs(high.second - wanted) ? low : high;
-        return {nearest.first, share_of(nearest.second), 1, reach};
+        return {nearest.first, share_of(nearest.second), {0, 1}, reach};
     }
 
   private:
@@ -213,7 +213,7 @@ std::int64_t covered_columns(CloudPlan plan, const CoverRequest& request,
 
 FoundCover find_grown_cover(const std::function<CloudPlan(double coverage)>& plan_of,
                             const CoverRequest& request, const BakeOptions& options) {
-    constexpr double kMost = 8;  // more water than the driest air lacks
+    constexpr double kMost = 16;  // more water than the driest air lacks, and than there is
     constexpr int kSteps = 40;
     const CloudPlan as_grown = plan_of(1);
     const auto columns = static_cast<double>(as_grown.size[0]) * as_grown.size[1];
@@ -221,15 +221,16 @@ FoundCover find_grown_cover(const std::function<CloudPlan(double coverage)>& pla
     const auto count_at = [&](double coverage) {
         return covered_columns(plan_of(coverage), request, options);
     };
-    const std::int64_t least = count_at(0);
-    std::pair low{0.0, least};
+    std::pair low{0.0, count_at(0)};
     std::pair high{1.0, covered_columns(as_grown, request, options)};
-    for (; high.second < wanted && high.first < kMost;
-         high = {2 * high.first, count_at(2 * high.first)}) {
-        low = high;
+    for (double step = 1; low.second > wanted && step < kMost; step *= 2) {
+        high = std::exchange(low, {low.first - step, count_at(low.first - step)});
     }
-    FoundCover found{.most = high.first,
-                     .reach = {static_cast<double>(least) / columns,
+    for (double step = 1; high.second < wanted && step < kMost; step *= 2) {
+        low = std::exchange(high, {high.first + step, count_at(high.first + step)});
+    }
+    FoundCover found{.tried = {low.first, high.first},
+                     .reach = {static_cast<double>(low.second) / columns,
                                static_cast<double>(high.second) / columns}};
     // Every second step halves the range; those between it guess from the counts at its ends.
     for (int step = 0; low.second < wanted && wanted < high.second && step < kSteps; ++step) {

@@ -30,8 +30,8 @@ struct CoverRequest {
 struct FoundCover {
     double coverage = 1;
     double share = 0;               // of the columns that hold cloud at this coverage
-    double most = 1;                // the greatest coverage that was tried
-    std::array<double, 2> reach{};  // the shares at the coverages 0 and `most`
+    std::array<double, 2> tried{0, 1};  // the least and the greatest coverage of the search
+    std::array<double, 2> reach{};      // the shares at these
 };
 
 // One in so many columns, or 512, may hold cloud from the same coverage on. Where the noise is constant, more
@@ -45,7 +45,7 @@ inline constexpr std::size_t kMostTiedColumns = 255;
 FoundCover find_cover(const CloudPlan& plan, const CoverRequest& request,
                       const BakeOptions& options);
 
-// Finds the same for a cloud that has grown, whose coverage may exceed 1 (grown_volume.h), by counting the
+// Finds the same for a cloud that has grown, whose coverage may be any number (grown_volume.h), by counting the
 // columns of the plans that `plan_of` makes of coverages.
 FoundCover find_grown_cover(const std::function<CloudPlan(double coverage)>& plan_of,
                             const CoverRequest& request, const BakeOptions& options);

@@ -243,12 +243,13 @@ Outcome<TablePart> make_part(const TableModel& model, const AccuracyRequest& req
             smallest_table(model, *request.max_error, table, points, options, check);
         if (options.cancelled()) return outcome;
         if (!search.found) {
-            outcome.diagnostics.push_back(diagnosis(
-                "E0403",
-                fmt::format("`{}`: no size meets max_error = {:.3g}; the best, {}x{}, has {:.3g}",
-                            table.name, *request.max_error, search.best.size[0],
-                            search.best.size[1], search.best.max_error),
-                "use a larger max_error, another mapping or pixel_type = \"float\""));
+            outcome.diagnostics.push_back(
+                diagnosis("E0403",
+                          fmt::format("`{}`: of the sizes tried none meets max_error = {:.3g}; the "
+                                      "best, {}x{}, has {:.3g}",
+                                      table.name, *request.max_error, search.best.size[0],
+                                      search.best.size[1], search.best.max_error),
+                          "use a larger max_error, another mapping or pixel_type = \"float\""));
             return outcome;
         }
         size = search.found->size;

@@ -206,7 +206,7 @@ double FolderPlan::seconds() const {
     return sum;
 }
 
-Outcome<FolderPlan> plan_folder(const FolderBake& bake) {
+Outcome<FolderPlan> plan_folder(const FolderBake& bake, bool to_be_written) {
     auto folder = inspect_output_folder(bake.folder, output_files(bake), bake.force, false);
     if (!folder.value) return {{}, std::move(folder.diagnostics)};
     FolderPlan plan;
@@ -226,7 +226,7 @@ Outcome<FolderPlan> plan_folder(const FolderBake& bake) {
         plan.assets.push_back(std::move(planned));
     }
     plan_retired(bake, plan);
-    if (plan.stale_count() > 0) {
+    if (to_be_written && plan.stale_count() > 0) {
         auto writable = inspect_output_folder(bake.folder, {}, true);
         if (!writable.value) return {{}, std::move(writable.diagnostics)};
     }

@@ -109,7 +109,7 @@ std::int64_t bytes_to_keep(std::int64_t most, std::optional<double> limit_mib, d
 
 // Makes a plan without changing anything. A file is up to date if it holds the bytes that the
 // manifest says, whatever its time stamp. E0002 if more than memory_limit_mib would be needed;
-// E0300 for inputs; E0302 and E0303 as for inspect_output_folder.
-Outcome<FolderPlan> plan_folder(const FolderBake& bake);
+// E0300 for inputs; E0303, and E0302 if it is to be written, as for inspect_output_folder.
+Outcome<FolderPlan> plan_folder(const FolderBake& bake, bool to_be_written = true);
 
 }  // namespace skybake

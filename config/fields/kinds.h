@@ -137,7 +137,7 @@ struct Kind {
     static constexpr ValueKind two_lengths = list_kind(
         "two lengths, such as [\"120 m\", \"-50 m\"]", read_pair, numbers_schema, &S::length, 2, 2);
     static constexpr ValueKind length_bounds =
-        list_kind("two lengths, the smaller one first, such as [\"0 km\", \"3 km\"]", read_bounds,
+        list_kind("two lengths, the smaller one first, such as [\"1 km\", \"3 km\"]", read_bounds,
                   numbers_schema, &S::length, 2, 2);
     static constexpr ValueKind wavelengths = list_kind(
         "a list of wavelengths, such as [\"680 nm\", \"550 nm\", \"440 nm\"], \"best 4\", or a "

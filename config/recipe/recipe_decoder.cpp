@@ -163,8 +163,9 @@ void check_atmosphere(const Table& root, const Parameters& parameters, const Sou
                           parameters.clouds.empty() && parameters.volumes.empty() &&
                           parameters.particles.empty();
     if (!bakes_sky && !is_empty) return;
-    decoder.diagnostics.error("E0105", {&source}, "the recipe has no [atmosphere]",
-                              "start from preset = \"earth\", or see `skybake init`");
+    decoder.diagnostics.error(
+        "E0105", {&source}, "the recipe has no [atmosphere]",
+        "start from preset = \"earth\" or give it clouds, or see `skybake init`");
 }
 
 // The wavelengths of the spectra that colours are fitted to (bakers/light/sky_spectra.h).

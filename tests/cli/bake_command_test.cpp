@@ -258,7 +258,7 @@ TEST_F(BakeCommand, OneFailureLeavesTheOthers) {
     write(
         "preset = \"earth_hillaire\"\n[bake.transmittance]\nsize = [32, 8]\n"
         "[bake.sharp]\nasset = \"transmittance\"\nmax_error = 2e-7\npixel_type = \"half\"\n");
-    expect_said(bake(), 4, {"E0403", "no size meets max_error = 2e-07; the best, 2048x2048"});
+    expect_said(bake(), 4, {"E0403", "none meets max_error = 2e-07; the best, 2048x2048"});
     EXPECT_EQ(files(), (std::vector<std::string>{"manifest.json", "transmittance.exr"}));
     EXPECT_EQ(run_program({"verify", out_}).code, 0);
 }

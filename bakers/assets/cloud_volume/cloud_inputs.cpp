@@ -112,9 +112,11 @@ std::optional<Diagnostic> missed_cover(const CloudVolumeBake& bake,
         bake.cloud, 100 * *bake.cover, found.coverage, 100 * found.share);
     if (found.share == found.reach[0] || found.share == found.reach[1]) {
         message = fmt::format(
-            "cloud `{}` cannot cover {:.4g} %: it covers {:.4g} % at coverage 0, and {:.4g} % at "
+            "cloud `{}` cannot cover {:.4g} %: it covers {:.4g} % at coverage {:g}, and {:.4g} % "
+            "at "
             "coverage {:g}",
-            bake.cloud, 100 * *bake.cover, 100 * found.reach[0], 100 * found.reach[1], found.most);
+            bake.cloud, 100 * *bake.cover, 100 * found.reach[0], found.tried[0],
+            100 * found.reach[1], found.tried[1]);
     }
     return diagnosis("E0412", std::move(message),
                      "`cover` cannot be reached; change it or the shape of the cloud");

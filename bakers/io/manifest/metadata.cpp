@@ -235,7 +235,7 @@ Outcome<ManifestAsset> entry_of_file(const std::filesystem::path& path) {
         return file_error(
             "E0304", path.string(),
             fmt::format(
-                "`{}` does not say what it holds: skybake did not write it, or it is incomplete",
+                "`{}` does not say what it holds: it is no asset of skybake, or it is incomplete",
                 path.string()),
             "a manifest.json in its folder may describe it");
     }

@@ -57,7 +57,7 @@ std::string lit_caption(const LitScene& scene, const CloudViewSettings& settings
     const FetchCounts& fetches = view.fetches;
     return fmt::format(
         "{}. The sky is that of {}, with the {}, {}; {}; {}.\n"
-        "The camera is `{}`. There is {}, in steps of {:.3g} m, and of {:.3g} m towards the sun. "
+        "The camera is `{}`. It takes {}, in steps of {:.3g} m, and of {:.3g} m towards the sun. "
         "{}. Leaping by {}, each pixel takes {:.0f} lookups of the volume and {:.0f} of the "
         "grid.{}",
         scene.input.single ? "The picture shows one tile alone, with its shadow on the ground"

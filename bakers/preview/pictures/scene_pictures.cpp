@@ -72,7 +72,7 @@ std::string scene_caption(const CloudPreviewInput& input, const Lighting& lighti
                           const CloudView& view, double exposure) {
     return fmt::format(
         "The picture shows {} in one sky. Its light is that of {}, with the {}, {}; {}; {}.\n"
-        "The camera is `{}`. There is {}. {} Far layers fade out about 1.5 degrees above the "
+        "The camera is `{}`. It takes {}. {} Far layers fade out about 1.5 degrees above the "
         "horizon. Layers are flat, and clouds do not shade the air.",
         layers_text(layers), lighting.name, sun_text(sun.elevation_degrees),
         beside_view(sun, frame.camera), sky_text(sky), tone_text(exposure, input.tone_curve),
