@@ -40,6 +40,42 @@ CloudPlan full_plan(CloudPlan plan) {
     return at_coverage(std::move(plan), 1);
 }
 
+// Bounds of the number of columns that hold cloud. They differ where so many may fill at once that those
+// were not looked at.
+struct Count {
+    std::int64_t least = 0;
+    std::int64_t most = 0;
+};
+
+using CountedCoverage = std::pair<double, std::int64_t>;
+
+// Searches between two coverages for the count of columns that is nearest to a share of all.
+template <class CountAt>
+FoundCover bisected(CountedCoverage low, CountedCoverage high, double share, std::size_t columns,
+                    const CountAt& count_at) {
+    const auto all = static_cast<double>(columns);
+    const auto share_of = [all](std::int64_t count) { return static_cast<double>(count) / all; };
+    FoundCover found{.tried = {low.first, high.first},
+                     .reach = {share_of(low.second), share_of(high.second)}};
+    const auto wanted = static_cast<std::int64_t>(std::llround(share * all));
+    while (low.second < wanted && wanted < high.second) {
+        const double middle = low.first + (high.first - low.first) / 2;
+        if (middle <= low.first || middle >= high.first) break;
+        const Count count = count_at(middle);
+        if (count.least <= wanted && wanted <= count.most) {
+            low = {middle, count.least};
+            break;
+        }
+        const bool is_low = count.most < wanted;
+        (is_low ? low : high) = {middle, is_low ? count.most : count.least};
+    }
+    const bool is_low = std::abs(wanted - low.second) <= std::abs(high.second - wanted);
+    const CountedCoverage& nearest = is_low ? low : high;
+    found.coverage = nearest.first;
+    found.share = share_of(nearest.second);
+    return found;
+}
+
 class CoverSearch {
   public:
     CoverSearch(const CloudPlan& plan, const CoverRequest& request, const BakeOptions& options)
@@ -53,38 +89,12 @@ class CoverSearch {
     }
 
     FoundCover search() const {
-        std::pair low{0.0, count_at(0).least};
-        std::pair high{1.0, count_at(1).least};
-        const std::array<double, 2> reach = {share_of(low.second), share_of(high.second)};
-        const auto columns = static_cast<double>(peaks_.size());
-        const auto wanted = static_cast<std::int64_t>(std::llround(request_.share * columns));
-        while (low.second < wanted && wanted < high.second) {
-            const double middle = low.first + (high.first - low.first) / 2;
-            if (middle <= low.first || middle >= high.first) break;
-            const Count count = count_at(middle);
-            if (count.least <= wanted && wanted <= count.most) {
-                return {middle, share_of(count.least), {0, 1}, reach};
-            }
-            const bool is_low = count.most < wanted;
-            (is_low ? low : high) = {middle, is_low ? count.most : count.least};
-        }
-        const auto& nearest =
-            std::abs(wanted - low.second) <= std::abs(high.second - wanted) ? low : high;
-        return {nearest.first, share_of(nearest.second), {0, 1}, reach};
+        const auto counted = [this](double coverage) { return count_at(coverage); };
+        return bisected({0.0, count_at(0).least}, {1.0, count_at(1).least}, request_.share,
+                        peaks_.size(), counted);
     }
 
   private:
-    // Bounds of the number of columns that hold cloud. They differ where so many may fill at once
-    // that those were not looked at.
-    struct Count {
-        std::int64_t least = 0;
-        std::int64_t most = 0;
-    };
-
-    double share_of(std::int64_t columns) const {
-        return static_cast<double>(columns) / static_cast<double>(peaks_.size());
-    }
-
     bool is_cloud(float v, float water) const {
         finish(plan_, water, 1, &v);
         return round_to_pixel_type(double{v}, request_.pixel_type) > request_.level;
@@ -214,37 +224,23 @@ std::int64_t covered_columns(CloudPlan plan, const CoverRequest& request,
 FoundCover find_grown_cover(const std::function<CloudPlan(double coverage)>& plan_of,
                             const CoverRequest& request, const BakeOptions& options) {
     constexpr double kMost = 16;  // more water than the driest air lacks, and than there is
-    constexpr int kSteps = 40;
-    const CloudPlan as_grown = plan_of(1);
-    const auto columns = static_cast<double>(as_grown.size[0]) * as_grown.size[1];
-    const auto wanted = static_cast<std::int64_t>(std::llround(request.share * columns));
-    const auto count_at = [&](double coverage) {
-        return covered_columns(plan_of(coverage), request, options);
+    const auto counted = [&](double coverage) {
+        return CountedCoverage{coverage, covered_columns(plan_of(coverage), request, options)};
     };
-    std::pair low{0.0, count_at(0)};
-    std::pair high{1.0, covered_columns(as_grown, request, options)};
+    const std::array<int, 3> size = plan_of(1).size;
+    const auto columns = static_cast<std::size_t>(VoxelBox{{}, {size[0], size[1], 1}}.count());
+    const auto wanted = std::llround(request.share * static_cast<double>(columns));
+    CountedCoverage low = counted(0), high = counted(1);
     for (double step = 1; low.second > wanted && step < kMost; step *= 2) {
-        high = std::exchange(low, {low.first - step, count_at(low.first - step)});
+        high = std::exchange(low, counted(low.first - step));
     }
     for (double step = 1; high.second < wanted && step < kMost; step *= 2) {
-        low = std::exchange(high, {high.first + step, count_at(high.first + step)});
+        low = std::exchange(high, counted(high.first + step));
     }
-    FoundCover found{.tried = {low.first, high.first},
-                     .reach = {static_cast<double>(low.second) / columns,
-                               static_cast<double>(high.second) / columns}};
-    // Every second step halves the range; those between it guess from the counts at its ends.
-    for (int step = 0; low.second < wanted && wanted < high.second && step < kSteps; ++step) {
-        const double guess = static_cast<double>(wanted - low.second) /
-                             static_cast<double>(high.second - low.second);
-        const double middle = std::lerp(low.first, high.first, step % 2 == 0 ? guess : 0.5);
-        const std::int64_t count = count_at(middle);
-        (count <= wanted ? low : high) = {middle, count};
-    }
-    const bool is_low = std::abs(wanted - low.second) <= std::abs(high.second - wanted);
-    const auto& nearest = is_low ? low : high;
-    found.coverage = nearest.first;
-    found.share = static_cast<double>(nearest.second) / columns;
-    return found;
+    return bisected(low, high, request.share, columns, [&](double coverage) {
+        const std::int64_t count = counted(coverage).second;
+        return Count{count, count};
+    });
 }
 
 FoundCover find_cover(const CloudPlan& plan, const CoverRequest& request,
