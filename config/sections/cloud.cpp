@@ -121,7 +121,7 @@ struct CloudReader {
     void read_convection() const {
         const Entry* entry = find_entry(table, "convection");
         if (cloud.shape != CloudShape::convection) {
-            if (!entry) return;
+            if (!entry || !decoder.complete) return;  // a preset that is missing may have it
             return decoder.diagnostics.error(
                 "E0111", entry->key_place,
                 fmt::format("`{}` belongs to shape convection", join_path(path, "convection")),
