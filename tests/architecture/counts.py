@@ -22,9 +22,9 @@ SECTIONS = ("noise", "cloud", "layer", "volume", "files")
 MOST_SECTION_UNITS = 170
 # A change that adds a feature gives as many lines back. Lower these where lines were saved. Published tables
 # (*.inc) are data, as presets are, and do not count.
-MOST_PRODUCT_LINES = 133_056
-MOST_TEST_LINES = 75_237
-MOST_HELPER_LINES = 19_258
+MOST_PRODUCT_LINES = 133_196
+MOST_TEST_LINES = 74_694
+MOST_HELPER_LINES = 19_152
 
 
 def sources(*rooms):
