@@ -30,44 +30,11 @@ void take(std::optional<T>& option, const std::optional<T>& of_recipe) {
 void take_camera(const config::PreviewCamera& camera, PreviewOptions& options) {
     if (!options.camera) options.camera.emplace();
     CameraRequest& request = *options.camera;
-    take(request.position_m, camera.position);
+    // A single tile that the command line asks for is framed anew.
+    if (!options.single) take(request.position_m, camera.position);
     take(request.heading_degrees, to_degrees(camera.heading));
     take(request.pitch_degrees, to_degrees(camera.pitch));
     take(request.field_degrees, to_degrees(camera.fov));
-}
-
-// Takes what places the sun. What the command line says about the sun, by a time or by angles,
-// replaces all that the recipe says in the other way.
-void take_sun(const config::Preview& preview, bool clouds, PreviewOptions& options) {
-    const bool by_angles = !options.sun_elevations_deg.empty() || options.sun_azimuth_deg;
-    const bool by_time = options.at.has_value();
-    if (preview.latitude && preview.longitude && !options.place && !by_angles) {
-        options.place = {to_degrees(*preview.latitude), to_degrees(*preview.longitude)};
-    }
-    if (preview.at && !by_angles && !by_time) options.at = config::parse_moment(*preview.at);
-    if (options.at) return;
-    if (options.sun_elevations_deg.empty()) {
-        for (const config::Angle elevation : preview.sun_elevation) {
-            options.sun_elevations_deg.push_back(to_degrees(elevation.radians));
-        }
-    }
-    if (clouds) take(options.sun_azimuth_deg, to_degrees(preview.sun_azimuth));
-}
-
-void take_section(const config::Preview& preview, const LitPictures& lit, PreviewOptions& options) {
-    if (lit.sky) {
-        take(options.altitude_m, preview.altitude);
-        take(options.glare, std::optional(preview.glare));
-    }
-    if (lit.clouds) {
-        take_camera(preview.camera, options);
-        if (!lit.sweep) take(options.picture_size, preview.size);
-        options.single = options.single || preview.single;
-    }
-    if (!lit.sky && !lit.clouds) return;
-    take(options.exposure_stops, preview.exposure);
-    take(options.tone_curve, std::optional(preview.tone_curve));
-    take_sun(preview, lit.clouds, options);
 }
 
 std::string place_text(const EarthPlace& place) {
@@ -91,6 +58,47 @@ void place_sun(bool clouds, PreviewOptions& options) {
         sun.azimuth_degrees);
     options.at.reset();
     options.place.reset();
+}
+
+// Takes what places the sun. What the command line says about the sun, by a time or by angles,
+// replaces what the recipe says in the other way; the azimuth of its time stays where elevations alone are given.
+void take_sun(const config::Preview& preview, bool clouds, PreviewOptions& options) {
+    const bool by_angles = !options.sun_elevations_deg.empty() || options.sun_azimuth_deg;
+    const bool by_time = options.at.has_value();
+    if (preview.latitude && preview.longitude && !options.place && !by_angles) {
+        options.place = {to_degrees(*preview.latitude), to_degrees(*preview.longitude)};
+    }
+    if (preview.at && !by_angles && !by_time) options.at = config::parse_moment(*preview.at);
+    if (options.at) return;
+    if (preview.at && preview.latitude && preview.longitude && clouds && !options.sun_azimuth_deg) {
+        PreviewOptions timed;  // a sun that is lower or higher stands where it does then
+        timed.at = config::parse_moment(*preview.at);
+        timed.place = {to_degrees(*preview.latitude), to_degrees(*preview.longitude)};
+        place_sun(true, timed);
+        options.sun_azimuth_deg = timed.sun_azimuth_deg;
+    }
+    if (options.sun_elevations_deg.empty()) {
+        for (const config::Angle elevation : preview.sun_elevation) {
+            options.sun_elevations_deg.push_back(to_degrees(elevation.radians));
+        }
+    }
+    if (clouds) take(options.sun_azimuth_deg, to_degrees(preview.sun_azimuth));
+}
+
+void take_section(const config::Preview& preview, const LitPictures& lit, PreviewOptions& options) {
+    if (lit.sky) {
+        take(options.altitude_m, preview.altitude);
+        take(options.glare, std::optional(preview.glare));
+    }
+    if (lit.clouds) {
+        take_camera(preview.camera, options);
+        if (!lit.sweep) take(options.picture_size, preview.size);
+        options.single = options.single || preview.single;
+    }
+    if (!lit.sky && !lit.clouds) return;
+    take(options.exposure_stops, preview.exposure);
+    take(options.tone_curve, std::optional(preview.tone_curve));
+    take_sun(preview, lit.clouds, options);
 }
 
 struct GivenOption {

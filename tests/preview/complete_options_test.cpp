@@ -69,6 +69,20 @@ TEST(CompleteOptions, OfTheCommandLineWin) {
     EXPECT_EQ(options.camera->position_m, (std::array<double, 3>{2000, -3000, 200}));
 }
 
+// A tile that is asked for alone is framed anew, and a lower sun stands where the recipe's time has it.
+TEST(CompleteOptions, OfTheCommandLineKeepWhatGoesWithThem) {
+    PreviewOptions given;
+    given.single = true;
+    EXPECT_FALSE(complete(given, kAll).camera->position_m);
+    const std::string timed = "at = '2026-06-21 18:30'\nlatitude = '47 deg'\nlongitude = '8 deg'\n";
+    PreviewOptions lower;
+    lower.sun_elevations_deg = {2};
+    const PreviewOptions options = complete(lower, timed);
+    EXPECT_EQ(options.sun_elevations_deg, lower.sun_elevations_deg);
+    EXPECT_EQ(options.sun_azimuth_deg, complete({}, timed).sun_azimuth_deg);
+    EXPECT_TRUE(options.sun_azimuth_deg);
+}
+
 // So a preview of some of a recipe's assets has no options that nothing uses.
 TEST(CompleteOptions, AreThoseThatPicturesUse) {
     const PreviewOptions none = complete({}, kAll, {});
