@@ -114,7 +114,7 @@ TEST(RecipeSources, IncludesThatMultiplyAreStopped) {
     DiagnosticList list;
     const RecipeSources sources = read_sources(folder.path() / "0.toml", {}, list);
     EXPECT_LE(sources.inputs.size(), 256u);
-    EXPECT_EQ(codes_and_places(list.take()), Codes{"E0125 1:12"});
+    EXPECT_EQ(codes_and_places(list.take()), Codes{"E0125 1:23"});
 }
 
 TEST(RecipeSources, UnreadableIncludesAreReportedWhereTheyAreNamed) {
