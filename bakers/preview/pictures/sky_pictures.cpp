@@ -35,9 +35,9 @@ struct SkyScene {
     double camera_altitude_km;
     const SkyPreviewOptions& options;
     int threads;
-    std::unique_ptr<const SkyLight> solved;  // the reference; null: none is shown
-    std::string why_unsolved;                // a sentence, if it was asked for but is missing
-    std::vector<double> daylight;            // of daylight_shares, for each of the options' suns
+    std::vector<double> daylight{};            // of daylight_shares, for each of the options' suns
+    std::unique_ptr<const SkyLight> solved{};  // the reference; null: none is shown
+    std::string why_unsolved{};                // a sentence, if it was asked for but is missing
 };
 
 SkyView dome_view(const SkyScene& scene, double sun_elevation_degrees, int pixels) {
@@ -76,10 +76,9 @@ struct ShownSky {
 ShownSky shown_sky(const SkyScene& scene, const SkyView& view, double daylight) {
     Image2<float> radiance = render_sky(scene.medium, scene.tables, view, scene.threads);
     const std::optional<double> stops = scene.options.exposure_stops;
-    const double exposure =
-        stops ? std::exp2(*stops)
-              : sky_exposure_for(scene.tables.screen.shown(radiance), scene.options.tone_curve,
-                                 daylight);
+    const double exposure = stops ? std::exp2(*stops)
+                                  : sky_exposure_for(scene.tables.screen.shown(radiance),
+                                                     scene.options.tone_curve, daylight);
     return {with_sun(scene, view, std::move(radiance)), exposure};
 }
 
@@ -326,14 +325,11 @@ std::vector<PreviewPicture> sky_pictures(const config::Atmosphere& atmosphere,
     SkyMedium medium = make_sky_medium(atmosphere);
     if (medium.air.channels != tables.value->transmittance.channels) return pictures;
     const double altitude_km = std::min(options.camera_altitude_km, medium.air.thickness_km);
-    SkyScene scene = {
-        std::move(medium), std::move(*tables.value), altitude_km, options, threads, nullptr, "", {}};
+    SkyScene scene = {std::move(medium), std::move(*tables.value), altitude_km, options, threads};
     scene.tables.screen = daylight_screen({scene.medium, scene.tables}, threads);
-    scene.daylight = daylight_shares(
-        {scene.medium, scene.tables},
-        mapped<SunDirection>(options.sun_elevations_degrees,
-                             [](double elevation) { return SunDirection{elevation, 0}; }),
-        threads);
+    std::vector<SunDirection> suns;
+    for (const double elevation : options.sun_elevations_degrees) suns.push_back({elevation, 0});
+    scene.daylight = daylight_shares({scene.medium, scene.tables}, suns, threads);
     if (options.solved_pixels > 0) solve_reference(atmosphere, scene);
     // After an interruption the solution must not be used.
     if (is_cancelled(options.progress)) return pictures;
