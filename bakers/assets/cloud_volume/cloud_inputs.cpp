@@ -112,9 +112,8 @@ std::optional<Diagnostic> missed_cover(const CloudVolumeBake& bake,
         bake.cloud, 100 * *bake.cover, found.coverage, 100 * found.share);
     if (found.share == found.reach[0] || found.share == found.reach[1]) {
         message = fmt::format(
-            "cloud `{}` cannot cover {:.4g} %: it covers {:.4g} % at coverage {:g}, and {:.4g} % "
-            "at "
-            "coverage {:g}",
+            "cloud `{}` cannot cover {:.4g} %: it covers {:.4g} % at coverage {:g}, and "
+            "{:.4g} % at coverage {:g}",
             bake.cloud, 100 * *bake.cover, 100 * found.reach[0], found.tried[0],
             100 * found.reach[1], found.tried[1]);
     }
@@ -132,8 +131,8 @@ bool take_shape(const Parameters& parameters, const CloudVolumeBake& bake, Cloud
     if (cloud.shape != config::CloudShape::convection) return true;
     inputs.grown = grown_cloud(cloud, details, options);
     if (!inputs.grown) return false;
-    inputs = with_grown_volume(std::move(inputs), cloud, bake.size,
-                               inputs.coverage.value_or(cloud.coverage));
+    const double coverage = inputs.coverage.value_or(cloud.coverage);
+    inputs = with_grown_volume(std::move(inputs), cloud, bake.size, coverage);
     return true;
 }
 
