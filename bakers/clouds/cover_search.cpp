@@ -193,9 +193,9 @@ class CoverSearch {
     std::vector<double> peaks_;  // the greatest q of each column; -infinity: none above 0
 };
 
-// The columns of a plan that hold cloud.
-std::int64_t covered_columns(CloudPlan plan, const CoverRequest& request,
-                             const BakeOptions& options) {
+// Counts the columns of a plan that hold cloud.
+std::int64_t count_columns(CloudPlan plan, const CoverRequest& request,
+                           const BakeOptions& options) {
     const CloudField field(std::move(plan));
     const std::array<int, 3>& size = field.plan().size;
     std::atomic<std::int64_t> covered = 0;
@@ -222,12 +222,12 @@ std::int64_t covered_columns(CloudPlan plan, const CoverRequest& request,
 }  // namespace
 
 FoundCover find_grown_cover(const std::function<CloudPlan(double coverage)>& plan_of,
-                            const CoverRequest& request, const BakeOptions& options) {
+                            const std::array<int, 3>& size, const CoverRequest& request,
+                            const BakeOptions& options) {
     constexpr double kMost = 16;  // more water than the driest air lacks, and than there is
     const auto counted = [&](double coverage) {
-        return CountedCoverage{coverage, covered_columns(plan_of(coverage), request, options)};
+        return CountedCoverage{coverage, count_columns(plan_of(coverage), request, options)};
     };
-    const std::array<int, 3> size = plan_of(1).size;
     const auto columns = static_cast<std::size_t>(VoxelBox{{}, {size[0], size[1], 1}}.count());
     const auto wanted = std::llround(request.share * static_cast<double>(columns));
     CountedCoverage low = counted(0), high = counted(1);

@@ -46,8 +46,9 @@ FoundCover find_cover(const CloudPlan& plan, const CoverRequest& request,
                       const BakeOptions& options);
 
 // Finds the same for a cloud that has grown, whose coverage may be any number (grown_volume.h), by counting the
-// columns of the plans that `plan_of` makes of coverages.
+// columns of the plans of that size that `plan_of` makes of coverages.
 FoundCover find_grown_cover(const std::function<CloudPlan(double coverage)>& plan_of,
-                            const CoverRequest& request, const BakeOptions& options);
+                            const std::array<int, 3>& size, const CoverRequest& request,
+                            const BakeOptions& options);
 
 }  // namespace skybake::cloud

@@ -44,13 +44,6 @@ ToneCurve curve_of(const PreviewOptions& options) {
     return options.tone_curve.value_or(ToneCurve::film);
 }
 
-// Returns the exposure. The one chosen for the first picture is used for all.
-double exposure_of(const Image2<float>& radiance, double daylight, PreviewOptions& options) {
-    if (!options.exposure_stops)
-        options.exposure_stops = std::log2(sky_exposure_for(radiance, curve_of(options), daylight));
-    return std::exp2(*options.exposure_stops);
-}
-
 std::string light_words(const PreviewOptions& options, double exposure,
                         double sun_elevation_degrees) {
     return fmt::format("{}, the {}", tone_text(exposure, curve_of(options)),
@@ -80,10 +73,14 @@ std::optional<Thumbnail> sky_picture(const PreviewAssets& assets, PreviewOptions
     const SkyMedium medium = make_sky_medium(atmosphere);
     tables.value->screen = daylight_screen({medium, *tables.value}, options.threads);
     Image2<float> radiance = render_sky(medium, *tables.value, view, options.threads);
-    const double daylight =
-        daylight_shares({medium, *tables.value}, {{view.sun_elevation_degrees, 0}}, options.threads)
-            .front();
-    const double exposure = exposure_of(tables.value->screen.shown(radiance), daylight, options);
+    if (!options.exposure_stops) {  // the one chosen for the first picture is used for all
+        const double daylight = daylight_shares({medium, *tables.value},
+                                                {{view.sun_elevation_degrees, 0}}, options.threads)
+                                    .front();
+        options.exposure_stops = std::log2(
+            sky_exposure_for(tables.value->screen.shown(radiance), curve_of(options), daylight));
+    }
+    const double exposure = std::exp2(*options.exposure_stops);
     add_sun(medium, *tables.value, view, options.glare.value_or(Glare::none), radiance);
     return Thumbnail{tone_mapped(tables.value->screen.shown(radiance), exposure, curve_of(options)),
                      light_words(options, exposure, view.sun_elevation_degrees)};

@@ -94,7 +94,7 @@ std::shared_ptr<const cloud::FoundCover> found_cover(const Parameters& parameter
             };
             const cloud::FoundCover found =
                 inputs.grown
-                    ? cloud::find_grown_cover(plan_of, request, options)
+                    ? cloud::find_grown_cover(plan_of, bake.size, request, options)
                     : cloud::find_cover(plan_of_cloud(cloud, inputs, bake.size), request, options);
             return options.cancelled() ? nullptr : std::make_shared<cloud::FoundCover>(found);
         });

@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <numbers>
 #include <string>
 #include <string_view>
@@ -175,13 +174,14 @@ std::vector<PreviewPicture> sky_view_pictures(const PreviewAsset& asset) {
     for (std::size_t k = 0; fits && k < bake->sun_elevations.size(); ++k) {
         views.push_back(shown(asset, upwards(asset.table, static_cast<int>(k) * rows, rows)));
     }
-    double by_day = std::numeric_limits<double>::infinity();  // the exposure of the brightest sky
-    for (const Image2<float>& view : views) by_day = std::min(by_day, sky_exposure_for(view));
+    // The brightest sky is taken for one by day.
+    const auto exposures =
+        mapped<double>(views, [](const Image2<float>& view) { return sky_exposure_for(view); });
     std::vector<PreviewPicture> pictures;
     for (std::size_t k = 0; k < views.size(); ++k) {
         const Image2<float>& view = views[k];
         const double exposure =
-            sky_exposure_for(view, ToneCurve::film, by_day / sky_exposure_for(view));
+            exposures[k] * dimming(*std::ranges::min_element(exposures) / exposures[k]);
         const double sun = bake->sun_elevations[k].radians * 180 / std::numbers::pi;
         const std::string title = fmt::format("{}: {}", entry.name, sun_text(sun));
         const ChartAxis azimuth{"azimuth from the sun (deg)", [](double t) { return 180 * t; },

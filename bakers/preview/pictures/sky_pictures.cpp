@@ -329,7 +329,9 @@ std::vector<PreviewPicture> sky_pictures(const config::Atmosphere& atmosphere,
     scene.tables.screen = daylight_screen({scene.medium, scene.tables}, threads);
     std::vector<SunDirection> suns;
     for (const double elevation : options.sun_elevations_degrees) suns.push_back({elevation, 0});
-    scene.daylight = daylight_shares({scene.medium, scene.tables}, suns, threads);
+    scene.daylight = options.exposure_stops
+                         ? std::vector<double>(suns.size(), 1.0)
+                         : daylight_shares({scene.medium, scene.tables}, suns, threads);
     if (options.solved_pixels > 0) solve_reference(atmosphere, scene);
     // After an interruption the solution must not be used.
     if (is_cancelled(options.progress)) return pictures;
