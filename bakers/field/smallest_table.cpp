@@ -119,6 +119,10 @@ PointIndex add_point(const TableModel& model, const FoundErrors& found, Referenc
 
 }  // namespace
 
+std::array<int, 2> largest_table(bool one_row) {
+    return one_row ? std::array{kLongRows.back(), 1} : std::array{kSizes.back(), kSizes.back()};
+}
+
 TableSearch smallest_table(const TableModel& model, double max_error, TexelRounding rounding,
                            ReferencePoints points, const BakeOptions& options,
                            const TableCheck& check) {
@@ -170,10 +174,10 @@ TableSearch smallest_table(const TableModel& model, double max_error, TexelRound
         }
     }
     // No table keeps within the bound: report what the largest table at the finest level reaches.
-    const Candidate largest_table = {{widths(model).back(), heights(model).back()}, levels - 1, 0};
-    search.best = {largest_table.size, largest_table.level, 0};
+    const Candidate largest = {largest_table(model.one_row), levels - 1, 0};
+    search.best = {largest.size, largest.level, 0};
     for (const PointIndex& index : order) {
-        const double error = lookup_error(model, largest_table, rounding, points, index);
+        const double error = lookup_error(model, largest, rounding, points, index);
         search.best.max_error = std::max(search.best.max_error, error);
     }
     return search;

@@ -20,6 +20,9 @@ struct TableSearch {
     TableChoice best;  // what the largest table at the finest level reaches, if none is found
 };
 
+// Returns the largest table that a search tries.
+std::array<int, 2> largest_table(bool one_row);
+
 // Searches the errors of a table that was made at a quadrature level, for instance by search_table.
 using TableCheck = std::function<FoundErrors(int level, const Image2<float>& image)>;
 

@@ -13,6 +13,7 @@
 #include "bakers/io/manifest/release.h"
 #include "bakers/io/targets/sidecar.h"
 #include "bakers/math/hash.h"
+#include "bakers/math/parallel.h"
 #include "config/assets/asset_kind.h"
 #include "config/sections/files.h"
 #include "config/sections/targets.h"
@@ -21,8 +22,6 @@ namespace skybake {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr double bytes_per_mib = 1024.0 * 1024.0;
 
 std::vector<std::string> output_files(const FolderBake& bake) {
     std::vector<std::string> names;
@@ -117,8 +116,8 @@ std::vector<Diagnostic> memory_excess(const FolderPlan& plan, std::optional<doub
         "E0002",
         fmt::format(
             "baking may need {} of memory, most of it for `bake.{}`; --max-memory allows {}",
-            byte_size_text(plan.memory_mib() * bytes_per_mib), largest_asset(plan)->bake->name,
-            byte_size_text(*limit_mib * bytes_per_mib)),
+            byte_size_text(plan.memory_mib() * kMebibyte), largest_asset(plan)->bake->name,
+            byte_size_text(*limit_mib * kMebibyte)),
         "raise --max-memory, or bake fewer assets at once with --only")};
 }
 
@@ -188,7 +187,10 @@ std::vector<PlannedIntermediate> FolderPlan::intermediates() const {
 double FolderPlan::memory_mib() const {
     const PlannedAsset* largest = largest_asset(*this);
     if (!largest) return 0;
-    double held = 0;
+    constexpr double kMibToSolve = 6;  // on each thread
+    const bool solves = std::ranges::any_of(
+        assets, [](const PlannedAsset& asset) { return asset.stale() && !asset.needs.empty(); });
+    double held = solves ? kMibToSolve * threads : 0;
     for (const PlannedAsset& asset : assets) {
         if (asset.stale() && &asset != largest && config::kind_of(*asset.bake).facts.is_table) {
             held += asset.estimate.disk_mib;
@@ -211,6 +213,7 @@ Outcome<FolderPlan> plan_folder(const FolderBake& bake, bool to_be_written) {
     if (!folder.value) return {{}, std::move(folder.diagnostics)};
     FolderPlan plan;
     plan.folder = std::move(*folder.value);
+    plan.threads = thread_count(bake.threads);
     for (const Bake& section : bake.bakes) {
         PlannedAsset planned;
         planned.bake = &section;

@@ -89,6 +89,7 @@ void add_need(const Need& need, const std::string& user, std::vector<PlannedInte
 
 struct FolderPlan {
     OutputFolder folder;
+    int threads = 1;                   // that make it
     std::vector<PlannedAsset> assets;  // in the order of FolderBake::bakes
     std::vector<RetiredFile> retired;  // from earlier recipes, and still there
     std::vector<RetiredFile> pruned;   // the files of `retired` that prune removes

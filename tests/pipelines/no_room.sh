@@ -94,3 +94,23 @@ bake a limited --max-memory 1MiB || fail "what is up to date needs no memory"
 bake b limited --max-memory 16GiB || fail "16 GiB are too little"
 holds limited b || fail "--max-memory 16GiB: $(sums limited)"
 echo "too little memory: refused before work"
+
+# --- What a bake takes is within what it says ------------------------------------------------------
+# peak_mib COMMAND...
+peak_mib() {
+    python3 -c 'import resource, subprocess, sys
+subprocess.run(sys.argv[1:], check=True, stdout=subprocess.DEVNULL)
+print(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss // 1024)' "$@"
+}
+for keys in '[bake.transmittance]\nsize = [2048, 1024]' '[bake.transmittance]\nmax_error = 1e-4' \
+    '[bake.multiple_scattering]\nmax_error = 0.01' '[bake.sky_view]\nsun_elevations = ["9 deg"]\n[bake.irradiance]'; do
+    printf 'preset = "earth"\nwavelengths = "best 4"\n%b\n' "$keys" >memory.toml
+    for threads in 1 16; do
+        bake=("$program" bake memory.toml -o memory -f -q -j "$threads")
+        said=$("${bake[@]}" --max-memory 1KiB 2>&1 | sed -En 's/.*may need ([0-9]+).* MiB of memory.*/\1/p')
+        peak=$(peak_mib "${bake[@]}" --max-memory "$((said + 1))MiB")
+        ((peak <= said)) || fail "$peak MiB taken, $said said: $keys"
+        echo "memory: $peak MiB of $said with $threads threads: $keys"
+        rm -r memory
+    done
+done

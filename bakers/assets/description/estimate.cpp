@@ -5,6 +5,7 @@
 
 #include "bakers/field/baked.h"
 #include "bakers/field/pixel_type.h"
+#include "bakers/field/smallest_table.h"
 #include "config/sections/noise.h"
 
 namespace skybake {
@@ -13,6 +14,9 @@ using config::AssetFiles;
 using Size = std::array<int, 3>;
 
 namespace {
+
+// What the program takes with its modules, and to solve for light on one thread (measured, rounded up).
+constexpr double kProgramMib = 64;
 
 // Seconds to store a byte, measured with deflate, with the faster one of EXR files, and without.
 double seconds_per_byte(config::FileFormat format, const AssetFiles& files) {
@@ -72,19 +76,22 @@ double voxels_of(const Size& size, int levels) {
 }
 
 Estimate estimate_texels(const AssetFiles& files, const std::array<int, 2>& size,
-                         double seconds_per_texel, double certification) {
+                         std::size_t channels, double seconds_per_texel, double certification) {
     Estimate result;
     result.size.assign(size.begin(), size.end());
     const double texels = static_cast<double>(size[0]) * size[1];
-    constexpr double kChannels = 3;
-    constexpr double kBytesInDouble = 8;
-    const double bytes = voxels_of({size[0], size[1], 1}, files.mips) * kChannels *
-                         bytes_per_value(files.pixel_type);
+    const auto held_channels = static_cast<double>(std::min<std::size_t>(channels, 4));
+    const auto stored_bytes = [&](const std::array<int, 2>& sides) {
+        return voxels_of({sides[0], sides[1], 1}, files.mips) * held_channels *
+               bytes_per_value(files.pixel_type);
+    };
     result.seconds = texels * seconds_per_texel + certification;
     // Texels are in memory as computed, as stored, and once more while a file is written.
+    const std::array<int, 2> held = texels > 0 ? size : largest_table(size[1] == 1);
+    const double values = static_cast<double>(held[0]) * held[1] * held_channels;
     result.memory_mib =
-        (texels * kChannels * (kBytesInDouble + sizeof(float)) + bytes + 8e6) / kMebibyte;
-    result.disk_mib = bytes * static_cast<double>(files.formats.size()) / kMebibyte;
+        kProgramMib + (values * (sizeof(double) + sizeof(float)) + stored_bytes(held)) / kMebibyte;
+    result.disk_mib = stored_bytes(size) * static_cast<double>(files.formats.size()) / kMebibyte;
     return result;
 }
 
@@ -105,9 +112,9 @@ Estimate estimate_volume(const AssetFiles& files, const Size& size, std::size_t 
     const BoxSequence boxes(size, static_cast<int>(channels));
     const double values = static_cast<double>(boxes.largest_count()) *
                           static_cast<double>(channels) * std::min(box_slots(0), boxes.count());
-    // The libraries of files take as much again to pack them (measured, rounded up), and the
-    // program with its modules 64 MiB.
-    result.memory_mib = 64 + 2 * values * (4.0 + bytes_per_value(files.pixel_type)) / kMebibyte;
+    // The libraries of files take as much again to pack them (measured, rounded up).
+    result.memory_mib =
+        kProgramMib + 2 * values * (4.0 + bytes_per_value(files.pixel_type)) / kMebibyte;
     result.disk_mib = bytes * formats / kMebibyte;
     return result;
 }

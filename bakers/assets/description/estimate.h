@@ -30,15 +30,17 @@ double octaves_of(const Noise& noise);
 // Returns the number of voxels of all levels.
 double voxels_of(const std::array<int, 3>& size, int levels);
 
-// Estimates a table. `certification` is the time that measuring its error takes, in seconds.
+// Estimates a table, or of size {} the memory of the largest that a search for `max_error` tries. `certification`
+// is the time that measuring its error takes, in seconds. A texture holds at most four of the channels.
 Estimate estimate_texels(const config::AssetFiles& files, const std::array<int, 2>& size,
-                         double seconds_per_texel, double certification);
+                         std::size_t channels, double seconds_per_texel, double certification);
 
 // Estimates an asset with `size`, or with `max_error` instead.
 template <class Asset>
-Estimate estimate_table(const Asset& asset, double seconds_per_texel, double certification) {
+Estimate estimate_table(const Asset& asset, std::size_t channels, double seconds_per_texel,
+                        double certification) {
     const std::array<int, 2> size = asset.max_error ? std::array<int, 2>{} : asset.size;
-    return estimate_texels(asset, size, seconds_per_texel, certification);
+    return estimate_texels(asset, size, channels, seconds_per_texel, certification);
 }
 
 Estimate estimate_volume(const config::AssetFiles& files, const std::array<int, 3>& size,

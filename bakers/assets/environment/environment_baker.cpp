@@ -64,8 +64,8 @@ std::vector<Need> needs(const Parameters& parameters, const EnvironmentBake& ass
 }
 
 Estimate estimate(const Parameters& parameters, const EnvironmentBake& asset) {
-    Estimate result =
-        estimate_texels(asset, asset.size, 3e-6, 0.3 + seconds_to_solve(asset.orders));
+    Estimate result = estimate_texels(asset, asset.size, channels_of_light(parameters), 3e-6,
+                                      0.3 + seconds_to_solve(asset.orders));
     constexpr double kSecondsPerRay = 4e-6;
     const double texels = double(asset.size[0]) * asset.size[1];
     const double rays = texels * asset.samples * asset.samples / 2;

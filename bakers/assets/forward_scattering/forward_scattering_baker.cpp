@@ -22,7 +22,7 @@ Outcome<Baked> bake(const Parameters&, const ForwardScatteringBake& asset,
 
 Estimate estimate(const Parameters&, const ForwardScatteringBake& asset) {
     constexpr double kSecondsPerTexel = 1e-5;
-    return estimate_table(asset, kSecondsPerTexel, 0.5);
+    return estimate_table(asset, 1, kSecondsPerTexel, 0.5);
 }
 
 AssetPlaces places(const Parameters&, const ForwardScatteringBake&, const StoredTexels& stored) {

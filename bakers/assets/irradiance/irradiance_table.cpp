@@ -99,8 +99,9 @@ std::vector<Need> needs(const Parameters& parameters, const IrradianceBake& asse
     return light_needs(parameters, orders, orders != config::SkyOrders::multiple);
 }
 
-Estimate estimate(const Parameters&, const IrradianceBake& asset) {
-    return estimate_texels(asset, asset.size, 5e-4, 3 + seconds_to_solve(asset.orders));
+Estimate estimate(const Parameters& parameters, const IrradianceBake& asset) {
+    return estimate_texels(asset, asset.size, channels_of_light(parameters), 5e-4,
+                           3 + seconds_to_solve(asset.orders));
 }
 
 AssetPlaces places(const Parameters& parameters, const IrradianceBake& asset,

@@ -45,12 +45,13 @@ std::vector<Need> needs(const Parameters& parameters, const MultipleScatteringBa
     return needs_of_solved_scattering(parameters.atmosphere, asset, certification);
 }
 
-Estimate estimate(const Parameters&, const MultipleScatteringBake& asset) {
-    if (!is_solved(asset)) return estimate_table(asset, 1e-4, 0.1);
+Estimate estimate(const Parameters& parameters, const MultipleScatteringBake& asset) {
+    const std::size_t channels = parameters.atmosphere.ground_albedo.size();
+    if (!is_solved(asset)) return estimate_table(asset, channels, 1e-4, 0.1);
     const std::array<int, 2> size =
         asset.max_error ? std::array<int, 2>{}
                         : std::array<int, 2>{asset.size[0], asset.size[1] * tables_of(asset)};
-    return estimate_texels(asset, size, 1e-6, 2 * kSecondsToSolve);
+    return estimate_texels(asset, size, channels, 1e-6, 2 * kSecondsToSolve);
 }
 
 // Moments are in the table of the probe's l and m.

@@ -151,7 +151,8 @@ Outcome<Baked> bake(const Parameters& parameters, const config::PhaseBake& asset
 }
 
 Estimate estimate(const Parameters&, const config::PhaseBake& asset) {
-    return estimate_texels(asset, {asset.max_error ? 0 : asset.size, 1}, 1e-6, 1);
+    constexpr std::size_t kMostChannels = 4;
+    return estimate_texels(asset, {asset.max_error ? 0 : asset.size, 1}, kMostChannels, 1e-6, 1);
 }
 
 // Returns the place in a table by the spacing that its file names; none names shares of the light.

@@ -61,10 +61,11 @@ std::vector<Need> needs(const Parameters& parameters, const SkyViewBake& asset, 
     return light_needs(parameters, asset.orders, true);
 }
 
-Estimate estimate(const Parameters&, const SkyViewBake& asset) {
+Estimate estimate(const Parameters& parameters, const SkyViewBake& asset) {
     const std::array<int, 2> size = {asset.size[0],
                                      asset.size[1] * static_cast<int>(asset.sun_elevations.size())};
-    return estimate_texels(asset, size, 3e-5, 0.3 + seconds_to_solve(asset.orders));
+    return estimate_texels(asset, size, channels_of_light(parameters), 3e-5,
+                           0.3 + seconds_to_solve(asset.orders));
 }
 
 // In the table of the sun that the probe names: the nearest, since its angle went through degrees.

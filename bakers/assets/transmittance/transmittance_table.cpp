@@ -32,8 +32,8 @@ Outcome<Baked> bake(const Parameters& parameters, const config::TransmittanceBak
                               labelled_table(parameters, std::move(label)));
 }
 
-Estimate estimate(const Parameters&, const config::TransmittanceBake& asset) {
-    return estimate_table(asset, 2e-7, 0.05);
+Estimate estimate(const Parameters& parameters, const config::TransmittanceBake& asset) {
+    return estimate_table(asset, parameters.atmosphere.ground_albedo.size(), 2e-7, 0.05);
 }
 
 AssetPlaces places(const Parameters& parameters, const config::TransmittanceBake& asset,

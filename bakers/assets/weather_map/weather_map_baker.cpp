@@ -37,7 +37,7 @@ Estimate estimate(const Parameters& parameters, const WeatherMapBake& asset) {
     constexpr double kSecondsPerStep = 2e-9;
     constexpr double kSecondsToSort = 1e-7;
     return estimate_texels(
-        asset, asset.size,
+        asset, asset.size, noise.channels.size(),
         octaves_of(noise) * kSecondsPerOctave + kSecondsToSort + steps_of(asset) * kSecondsPerStep,
         0.3);
 }
