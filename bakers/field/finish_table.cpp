@@ -76,7 +76,7 @@ std::optional<Diagnostic> check_range(const Image2<double>& texels, const Baked&
             fmt::format("`{}`: {} of {} values are outside {}; the first is {:.6g} at {}",
                         table.name, table.range.above_range, texels.texels.size(),
                         range_text(table.pixel_type), value, place),
-            "bake it as float, or bake transmittance");
+            "bake it as float, or bake transmittance", "pixel_type");
     }
     return std::nullopt;
 }
@@ -243,13 +243,13 @@ Outcome<TablePart> make_part(const TableModel& model, const AccuracyRequest& req
             smallest_table(model, *request.max_error, table, points, options, check);
         if (options.cancelled()) return outcome;
         if (!search.found) {
-            outcome.diagnostics.push_back(
-                diagnosis("E0403",
-                          fmt::format("`{}`: of the sizes tried none meets max_error = {:.3g}; the "
-                                      "best, {}x{}, has {:.3g}",
-                                      table.name, *request.max_error, search.best.size[0],
-                                      search.best.size[1], search.best.max_error),
-                          "use a larger max_error, another mapping or pixel_type = \"float\""));
+            outcome.diagnostics.push_back(diagnosis(
+                "E0403",
+                fmt::format("`{}`: of the sizes tried none meets max_error = {:.3g}; the "
+                            "best, {}x{}, has {:.3g}",
+                            table.name, *request.max_error, search.best.size[0],
+                            search.best.size[1], search.best.max_error),
+                "use a larger max_error, another mapping or pixel_type = \"float\"", "max_error"));
             return outcome;
         }
         size = search.found->size;
@@ -267,7 +267,7 @@ Outcome<TablePart> make_part(const TableModel& model, const AccuracyRequest& req
                 fmt::format(
                     "`{}`: no quadrature meets max_texel_error = {:.3g}; the finest has {:.3g}",
                     table.name, *request.max_texel_error, choice.best_error),
-                "use a larger max_texel_error"));
+                "use a larger max_texel_error", "max_texel_error"));
             return outcome;
         }
         level = *choice.level;
@@ -284,10 +284,12 @@ Outcome<TablePart> make_part(const TableModel& model, const AccuracyRequest& req
     // Values of both signs pass through zero, where they need no precision.
     if (table.range.below_normal > 0 && model.lowest >= 0) {
         outcome.diagnostics.push_back(diagnosis(
-            "W0201", fmt::format("`{}`: {} of {} values are below {:.3g}, where {} loses precision",
-                                 table.name, table.range.below_normal, values.texels.size(),
-                                 smallest_normal(table.pixel_type),
-                                 table.pixel_type == PixelType::half ? "half" : "float")));
+            "W0201",
+            fmt::format("`{}`: {} of {} values are below {:.3g}, where {} loses precision",
+                        table.name, table.range.below_normal, values.texels.size(),
+                        smallest_normal(table.pixel_type),
+                        table.pixel_type == PixelType::half ? "half" : "float"),
+            "", "pixel_type"));
     }
     if (model.cost_per_texel.size() > 1) {
         table.details.emplace_back("quadrature_level", level + 1.0);

@@ -387,7 +387,8 @@ class Survey {
                           "bring it into {} with the channel's remap, smoothstep or clamp, or ",
                           range)
                     : "",
-                is_half ? "float" : "half or float"));
+                is_half ? "float" : "half or float"),
+            "pixel_type");
     }
 
     const Baked& volume_;

@@ -174,9 +174,19 @@ class FolderMaker {
                 continue;
             }
             result_.assets[i] = {AssetState::copied, ready->entry, std::move(*staged.value)};
+            repeat_warnings(ready->entry, *plan_.assets[i].bake);
             return true;
         }
         return false;
+    }
+
+    void repeat_warnings(const ManifestAsset& entry, const Bake& bake) {
+        std::vector<Diagnostic> warnings;
+        for (const ManifestWarning& said : entry.warnings) {
+            warnings.push_back(diagnosis(said.code, said.message, said.advice, said.key));
+            add_recipe_place(*bake_.recipe, bake, warnings.back());
+        }
+        stop(std::move(warnings));
     }
 
     bool bake(std::size_t i, Progress& progress) {
@@ -191,12 +201,16 @@ class FolderMaker {
         BakeClock clock;
         auto baked = bake_asset(*bake_.recipe, *planned.bake, options);
         const BakeSeconds seconds = clock.seconds();
-        stop(std::move(baked.diagnostics));
+        stop(baked.diagnostics);
         if (!baked.value) return false;
         if (auto changed = changed_input(planned)) return stop({std::move(*changed)});
         ManifestAsset entry = describe_with_files(*baked.value);
         entry.timing.bake = seconds;
         entry.timing.threads = thread_count(bake_.threads);
+        for (Diagnostic& said : baked.diagnostics) {
+            entry.warnings.push_back({std::move(said.code), std::move(said.message),
+                                      std::move(said.label), std::move(said.key)});
+        }
         sign(planned.identity, entry);
         prepared_[i] = PreparedAsset{std::move(*baked.value), std::move(entry)};
         return true;

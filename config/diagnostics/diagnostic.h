@@ -33,6 +33,7 @@ struct Diagnostic {
     std::string message;  // one sentence: what was found
     SourceRange where;
     std::string label;  // shown beside the caret: what is allowed, or the nearest known name
+    std::string key = {};  // of its asset's section, whose place it has; empty: the section's own
 
     // A function that fails returns its diagnostic.
     template <class T>
@@ -42,9 +43,10 @@ struct Diagnostic {
 };
 
 // Returns a diagnostic without a place. Its code, "E0405" or "W0227", says how severe it is.
-inline Diagnostic diagnosis(std::string code, std::string message, std::string label = {}) {
+inline Diagnostic diagnosis(std::string code, std::string message, std::string label = {},
+                            std::string key = {}) {
     const Severity severity = code.starts_with('W') ? Severity::warning : Severity::error;
-    return {severity, std::move(code), std::move(message), {}, std::move(label)};
+    return {severity, std::move(code), std::move(message), {}, std::move(label), std::move(key)};
 }
 
 // This is a value, or the diagnostics that say why there is none. Warnings may accompany a value.

@@ -82,6 +82,24 @@ TEST_F(BakeCommand, ACacheServesOtherFolders) {
     EXPECT_EQ(run_program({"cache", "dust", "--cache-dir", cache}).code, 2);
 }
 
+// A copy warns as the bake did whose result it is, and of an asset that is up to date its event tells.
+TEST_F(BakeCommand, ACopyWarnsAsItsBakeDid) {
+    write(
+        "preset = \"earth_hillaire\"\n[bake.transmittance]\nsize = [32, 8]\npixel_type = "
+        "\"half\"\n");
+    const std::vector<std::string> cached = {"--cache-dir", (folder_ / "cache").string()};
+    for (const char* state : {"baked", "copied"}) {
+        fs::remove_all(out_);
+        const Result result = bake({cached[0], cached[1], "--json"});
+        expect_said(result, 0, {"W0201", "values are below 6.1e-05", ".toml:4"});
+        expect_has(result.out,
+                   {std::string("\"state\":\"") + state, "\"warnings\":[{\"code\":\"W0201\""});
+    }
+    const Result again = bake({"--json"});
+    EXPECT_FALSE(contains(again.error, "W0201")) << again.error;
+    expect_has(again.out, {"\"state\":\"up_to_date", "\"key\":\"pixel_type\""});
+}
+
 // Whatever asks for it, a folder that never was a cache is refused and left as it is.
 TEST_F(BakeCommand, AFolderOfSomethingElseIsNoCache) {
     const std::string projects = (folder_ / "projects").string();
@@ -258,7 +276,8 @@ TEST_F(BakeCommand, OneFailureLeavesTheOthers) {
     write(
         "preset = \"earth_hillaire\"\n[bake.transmittance]\nsize = [32, 8]\n"
         "[bake.sharp]\nasset = \"transmittance\"\nmax_error = 2e-7\npixel_type = \"half\"\n");
-    expect_said(bake(), 4, {"E0403", "none meets max_error = 2e-07; the best, 2048x2048"});
+    expect_said(bake(), 4,
+                {"E0403", ".toml:6", "none meets max_error = 2e-07; the best, 2048x2048"});
     EXPECT_EQ(files(), (std::vector<std::string>{"manifest.json", "transmittance.exr"}));
     EXPECT_EQ(run_program({"verify", out_}).code, 0);
 }

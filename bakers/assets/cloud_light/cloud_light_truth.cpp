@@ -202,7 +202,7 @@ class CellSearch {
             fmt::format(
                 "`{}`: no cell meets max_error = {:.3g}; the best, {}, has an RMS error of {:.3g}",
                 name, *bake_.max_error, best, least),
-            "use a larger max_error or pixel_type = \"float\"");
+            "use a larger max_error or pixel_type = \"float\"", "max_error");
     }
 
   private:

@@ -118,7 +118,7 @@ std::optional<Diagnostic> missed_cover(const CloudVolumeBake& bake,
             100 * found.reach[1], found.tried[1]);
     }
     return diagnosis("E0412", std::move(message),
-                     "`cover` cannot be reached; change it or the shape of the cloud");
+                     "`cover` cannot be reached; change it or the shape of the cloud", "cover");
 }
 
 }  // namespace

@@ -183,7 +183,7 @@ std::optional<Diagnostic> cut_by_top(const Cloud& cloud, const Baked& volume) {
         "W0230",
         fmt::format("`{}` is cut flat by the top of its box in {:.2g} % of its columns",
                     volume.name, 100 * share),
-        "raise the last number of its extent, of its cells and of this size");
+        "raise the last number of its extent, of its cells and of this size", "size");
 }
 
 // Replaces the voxels on demand of a volume by voxels in memory, if there is room for them.

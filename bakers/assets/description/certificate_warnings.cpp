@@ -132,7 +132,8 @@ std::vector<Diagnostic> warn_of_large_errors(const Parameters& parameters, Baked
         // All assets of a recipe have the same colours, and one warning of them suffices.
         const std::string subject = error.code == "W0222" ? "" : fmt::format("`{}`: ", baked.name);
         Diagnostic warning =
-            diagnosis(error.code, subject + error.text, advice_on(error.code, parameters, baked));
+            diagnosis(error.code, subject + error.text, advice_on(error.code, parameters, baked),
+                      error.code == "W0214" ? "size" : "");
         if (!certificate.advice.empty()) certificate.advice += "; ";
         certificate.advice += warning.label;
         warnings.push_back(std::move(warning));

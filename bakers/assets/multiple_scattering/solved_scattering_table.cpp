@@ -176,7 +176,7 @@ Outcome<Baked> bake_solved_scattering(const config::Atmosphere& atmosphere,
     if (moments && bake.max_error) {
         outcome.diagnostics.push_back(diagnosis(
             "E0403", fmt::format("`{}`: max_error does not work with this `content`", table.name),
-            "give `size` in place of `max_error`"));
+            "give `size` in place of `max_error`", "max_error"));
         return outcome;
     }
     const auto solved = light_of(light_request(atmosphere, bake), medium, options);

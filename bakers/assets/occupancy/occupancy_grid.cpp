@@ -176,7 +176,7 @@ std::optional<Diagnostic> add_skipping_gain(const SkippingGain& gain, Baked& vol
         "W0227",
         fmt::format("`{}` is not worth its fetches: a ray takes {:.3g} with it, and {:.3g} without",
                     volume.name, gain.with, gain.without),
-        "march this cloud without it, or with smaller cells");
+        "march this cloud without it, or with smaller cells", "cell");
 }
 
 Outcome<Baked> bake_occupancy(const OccupiedVolume& of, const OccupancyBake& bake,

@@ -106,8 +106,8 @@ AnyBaker any_baker(std::string_view asset, const Baker<Asset>& baker) {
     return any;
 }
 
-// Gives a diagnostic of a baker its place in the recipe: the line of a key of the section that it
-// speaks of, else the section's first line.
+}  // namespace
+
 void add_recipe_place(const Recipe& recipe, const Bake& bake, Diagnostic& diagnostic) {
     if (!diagnostic.where.source.empty()) return;
     const std::string section = config::join_path("bake", bake.name);
@@ -115,14 +115,14 @@ void add_recipe_place(const Recipe& recipe, const Bake& bake, Diagnostic& diagno
         if (value.section != section) continue;
         const config::SourceRange place = recipe_place(value);
         if (place.source.empty()) continue;
-        const std::string key = value.path.substr(std::min(section.size() + 1, value.path.size()));
-        const bool is_named = diagnostic.message.find(key) != std::string::npos ||
-                              diagnostic.label.find(key) != std::string::npos;
+        const bool is_named = value.path == config::join_path(section, diagnostic.key);
         const bool is_first = diagnostic.where.source.empty() || place.line < diagnostic.where.line;
         if (is_named || is_first) diagnostic.where = place;
         if (is_named) return;
     }
 }
+
+namespace {
 
 // Says how the wavelengths of an asset of light become colours. An interrupted bake has no value.
 void add_colors(const Parameters& parameters, const Bake& bake, const BakeOptions& options,

@@ -46,13 +46,17 @@ std::string asset_parameters(const Recipe& recipe, const Bake& bake);
 // Returns where a value stands in the recipe's files, or no place for a default or a preset's value.
 config::SourceRange recipe_place(const config::ResolvedValue& value);
 
+// Gives a diagnostic of a baker its place in the recipe: the line of its key, else the first line of the
+// asset's section.
+void add_recipe_place(const Recipe& recipe, const Bake& bake, Diagnostic& diagnostic);
+
 // Returns E0405 for each asset that check_solvable refuses, with its place in the recipe.
 std::vector<Diagnostic> check_air(const Recipe& recipe);
 
 // Bakes one section of a recipe. Unless certification is off, light that is scattered more than once
 // is compared with paths of light. E0405 if it needs light that cannot be solved for
 // (sky_asset.h). W0214 and W0220 to W0222 if it is measured and far off (certificate_warnings.h).
-// Diagnostics name the line of the section, or of its key that they speak of.
+// Diagnostics have their places in the recipe.
 Outcome<Baked> bake_asset(const Recipe& recipe, const Bake& bake, const BakeOptions& options);
 
 }  // namespace skybake

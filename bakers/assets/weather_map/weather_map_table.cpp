@@ -138,7 +138,7 @@ class WeatherModel {
                                      "{:.4g} with those that are equal",
                                      names_[channel], noise_.name, ties.value, ties.share_above,
                                      ties.share_with_it),
-                         "`covered` and `full` cannot lie between these two shares");
+                         "`covered` and `full` cannot lie between these two shares", "covered");
     }
 
     static std::vector<double> directions(std::vector<double> vector) {

@@ -44,6 +44,14 @@ struct ManifestInput {
     std::string xxh3;  // xxh3_hex of its bytes
 };
 
+// A warning of an asset's bake, which a copy from a cache repeats.
+struct ManifestWarning {
+    std::string code;  // "W0214"
+    std::string message;
+    std::string advice;
+    std::string key;  // of the asset's section; empty: it speaks of the asset
+};
+
 // Wall times, which are the only part of a bake's output that changes from run to run.
 struct Timing {
     BakeSeconds bake;
@@ -86,6 +94,7 @@ struct ManifestAsset {
     std::string key;
     std::string certification;  // "quick", "full", "off"
     std::vector<ManifestInput> inputs;
+    std::vector<ManifestWarning> warnings;
 
     double seam_error = 0;  // of volumes: largest difference of voxels 0 and `size`
 

@@ -52,6 +52,11 @@ void members(auto& form, Is<ManifestInput> auto& input) {
     form("file", input.file, "xxh3", input.xxh3);
 }
 
+void members(auto& form, Is<ManifestWarning> auto& warning) {
+    form("code", warning.code, "message", warning.message, "advice", warning.advice, "key",
+         warning.key);
+}
+
 void members(auto& form, Is<RetiredFile> auto& file) {
     form.path("path", file.path);
     form("xxh3", file.xxh3);
@@ -178,6 +183,7 @@ void members(auto& form, Is<ManifestAsset> auto& asset) {
          asset.release);
     if (!form.holds("key", !asset.key.empty())) return;
     form("key", asset.key, "certification", asset.certification, "inputs", asset.inputs);
+    form.when(!asset.warnings.empty(), "warnings", asset.warnings);
 }
 
 }  // namespace skybake

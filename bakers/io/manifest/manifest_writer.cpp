@@ -185,7 +185,7 @@ std::string file_entry_json(const ManifestAsset& asset, const ManifestFile& file
     of_file.content_hash = first->content_hash;
     Json json = to_json(of_file);
     for (const char* changing :
-         {"timing", "lookup_cost", "hash", "key", "certification", "inputs"}) {
+         {"timing", "lookup_cost", "hash", "key", "certification", "inputs", "warnings"}) {
         json.erase(changing);
     }
     for (const char* changing : {"path", "bytes", "xxh3"}) json["files"][0].erase(changing);
