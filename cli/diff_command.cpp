@@ -112,8 +112,28 @@ void compare_images(const fs::path& first, const fs::path& second, Comparison& c
 
 bool is_radiance(const fs::path& path) { return path.extension() == ".hdr"; }
 
-// Compares files by their bytes, and those with grids and Radiance pictures by their values if the bytes
-// differ.
+// Compares the levels that both files have.
+void compare_levels(const ListedFile& first, const ListedFile& second, Comparison& comparison) {
+    const std::string name = second.path.filename().string();
+    if (first.file.levels != second.file.levels) {
+        FileDifference& file = comparison.files.emplace_back();
+        file.name = name;
+        file.image.layout =
+            fmt::format("{} levels against {}", first.file.levels, second.file.levels);
+        return;
+    }
+    for (int level = 0; level < first.file.levels; ++level) {
+        auto difference = compare_listed(first, second, level);
+        append(difference.diagnostics, comparison.diagnostics);
+        if (!difference.value) return;
+        comparison.files.push_back(
+            {first.file.levels == 1 ? name : fmt::format("{}, level {}", name, level), "",
+             std::move(*difference.value)});
+    }
+}
+
+// Compares files by their bytes. If these differ, those with grids, Radiance pictures and files that their
+// manifests list are compared by their values.
 void compare_bytes(const fs::path& first, const fs::path& second, Comparison& comparison) {
     const auto a = fingerprint(first);
     const auto b = fingerprint(second);
@@ -131,11 +151,16 @@ void compare_bytes(const fs::path& first, const fs::path& second, Comparison& co
         return compare_opened(
             compared_radiance(first), compared_radiance(second),
             [](const ComparedImage& image) { return image; }, file.name, comparison);
+    } else if (const auto one = is_same ? std::nullopt : listed_file(first),
+               other = one ? listed_file(second) : std::nullopt;
+               other) {
+        return compare_levels(*one, *other, comparison);
     } else if (a.value->bytes != b.value->bytes) {
         file.image.layout = fmt::format("{} bytes against {}", a.value->bytes, b.value->bytes);
     } else if (!is_same) {
         file.image.layout =
-            "the bytes differ; only values of EXR, VDB, NanoVDB and HDR files are compared";
+            "the bytes differ; only values of EXR, VDB, NanoVDB and HDR files are compared "
+            "without a manifest that lists them";
     }
     comparison.files.push_back(std::move(file));
 }
@@ -349,19 +374,21 @@ ExitCode run_diff(const Invocation& invocation, Console& console) {
 }  // namespace
 
 Command diff_command() {
-    return {.name = "diff",
-            .brief = "compare baked files",
-            .summary = "compare two baked files or folders",
-            .arguments = {{.name = "first",
-                           .help = "an EXR, VDB, NanoVDB or raw file, or a folder of them"},
-                          {.name = "second", .help = "the file or folder to compare it with"}},
-            .options = {options::tolerance("count values as equal up to this difference", "0"),
-                        options::metadata("count differences in the metadata too")},
-            .examples = {{"skybake diff old new", "compares all files of two folders"},
-                         {"skybake diff a.exr b.exr --tolerance 1e-6", "allows for rounding"},
-                         {"skybake diff a.vdb b.nvdb", "compares the values of their grids"}},
-            .exit_codes = {ExitCode::differs, ExitCode::io},
-            .run = run_diff};
+    return {
+        .name = "diff",
+        .brief = "compare baked files",
+        .summary = "compare two baked files or folders",
+        .arguments = {{.name = "first",
+                       .help =
+                           "a baked file, an EXR, VDB, NanoVDB or HDR file, or a folder of them"},
+                      {.name = "second", .help = "the file or folder to compare it with"}},
+        .options = {options::tolerance("count values as equal up to this difference", "0"),
+                    options::metadata("count differences in the metadata too")},
+        .examples = {{"skybake diff old new", "compares all files of two folders"},
+                     {"skybake diff a.exr b.exr --tolerance 1e-6", "allows for rounding"},
+                     {"skybake diff a.vdb b.nvdb", "compares the values of their grids"}},
+        .exit_codes = {ExitCode::differs, ExitCode::io},
+        .run = run_diff};
 }
 
 }  // namespace skybake::cli

@@ -1,4 +1,5 @@
 // Bakes of volumes, and what info, diff and verify say of them.
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -178,8 +179,31 @@ TEST_F(VolumeBake, DiffComparesVoxels) {
     EXPECT_EQ(run_words({"diff", out_, out_}).code, 0);
     const Result result = run_words({"diff", out_, other});
     EXPECT_EQ(result.code, 1);
-    expect_has(result.out, {"wisps.exr: differs", "wisps.bin: differs\n  the bytes differ"});
+    expect_has(result.out, {"wisps.exr: differs", "wisps.bin: differs\n  channel"});
     EXPECT_EQ(run_words({"diff", file("wisps.bin"), other + "/wisps.mip1.bin"}).code, 1);
+    // Whatever the format, the values are those of the same texels.
+    const json files = json::parse(run_words({"diff", out_, other, "--json"}).out)["files"];
+    ASSERT_EQ(files.size(), 4U);
+    for (const std::size_t level : {0U, 1U}) {
+        for (const std::size_t channel : {0U, 1U, 2U}) {
+            const json& raw = files[2 * level]["channels"][channel];
+            const json& image = files[2 * level + 1]["channels"][channel];
+            for (const char* figure : {"channel", "max_absolute", "max_relative", "differing"}) {
+                EXPECT_EQ(raw[figure], image[figure]) << level << figure;
+            }
+        }
+    }
+    const double most = std::max(files[0]["channels"][0]["max_absolute"].get<double>(),
+                                 files[0]["channels"][1]["max_absolute"].get<double>());
+    for (const double share : {0.99, 1.01}) {
+        const std::string tolerance = std::to_string(share * most);
+        const Names words = {"diff", file("wisps.bin"), other + "/wisps.bin", "--tolerance",
+                             tolerance};
+        EXPECT_EQ(run_words(words).code, share < 1 ? 1 : 0);
+    }
+    // Without a manifest nothing says what the bytes are.
+    fs::remove(other + "/manifest.json");
+    expect_has(run_words({"diff", out_, other}).out, {"wisps.bin: differs\n  the bytes differ"});
 }
 
 TEST_F(VolumeBake, OpenVdbIsVerifiedAndShown) {

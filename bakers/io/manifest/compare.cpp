@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <exception>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -13,6 +15,7 @@
 #include "bakers/io/files/to_string.h"
 #include "bakers/io/formats/format.h"
 #include "bakers/io/formats/hdr/hdr.h"
+#include "bakers/io/manifest/asset_files.h"
 #include "bakers/io/volumes/grid_files.h"
 #include "bakers/io/volumes/grid_voxels.h"
 
@@ -257,6 +260,66 @@ config::Outcome<ImageDifference> compare_images(const ComparedImage& first,
     auto channels = compare_channels(first, second);
     if (!channels.value) return {{}, std::move(channels.diagnostics)};
     difference.channels = std::move(*channels.value);
+    return {std::move(difference), {}};
+}
+
+std::optional<ListedFile> listed_file(const std::filesystem::path& path) {
+    const auto manifest = read_manifest(path.parent_path());
+    if (!manifest.value) return std::nullopt;
+    for (const ManifestAsset& asset : manifest.value->assets) {
+        for (const ManifestFile& file : asset.files) {
+            const Format* const format = find_format(file.format);
+            if (file.path != path.filename() || !format || !format->read) continue;
+            return ListedFile{path, asset, file};
+        }
+    }
+    return std::nullopt;
+}
+
+config::Outcome<ImageDifference> compare_listed(const ListedFile& first, const ListedFile& second,
+                                                int level) {
+    const auto shape_of = [level](const ListedFile& listed) {
+        const auto number = static_cast<std::size_t>(listed.file.level + level);
+        return fmt::format("{} of {}", fmt::join(listed.asset.levels[number].size, "x"),
+                           fmt::join(listed.asset.channels, ", "));
+    };
+    ImageDifference difference;
+    if (shape_of(first) != shape_of(second)) {
+        difference.layout = fmt::format("{} against {}", shape_of(first), shape_of(second));
+        return {std::move(difference), {}};
+    }
+    const std::array<int, 3> size =
+        first.asset.levels[static_cast<std::size_t>(first.file.level + level)].size;
+    const std::size_t channels = first.asset.channels.size();
+    std::vector<float> held(static_cast<std::size_t>(VoxelBox{{}, size}.count()) * channels);
+    std::vector<DifferenceSum> sums(channels);
+    const auto at = [channels](std::int64_t voxel) {
+        return static_cast<std::size_t>(voxel) * channels;
+    };
+    const auto hold = [&](std::int64_t begin, std::int64_t count, const float* values) {
+        std::copy_n(values, at(count), held.begin() + std::ptrdiff_t(at(begin)));
+        return true;
+    };
+    const auto compare = [&](std::int64_t begin, std::int64_t count, const float* values) {
+        for (std::size_t i = 0; i < at(count); ++i) {
+            sums[i % channels].add(held[at(begin) + i], values[i], [&] {
+                const auto voxel = begin + static_cast<std::int64_t>(i / channels);
+                const std::int64_t row = voxel / size[0];
+                return std::vector{static_cast<int>(voxel % size[0]),
+                                   static_cast<int>(row % size[1]),
+                                   static_cast<int>(row / size[1])};
+            });
+        }
+        return true;
+    };
+    auto read = read_asset_file(first.path, first.asset, first.file, level, hold);
+    if (!read.value) return {{}, std::move(read.diagnostics)};
+    read = read_asset_file(second.path, second.asset, second.file, level, compare);
+    if (!read.value) return {{}, std::move(read.diagnostics)};
+    for (std::size_t c = 0; c < channels; ++c) {
+        sums[c].channel.channel = first.asset.channels[c];
+        difference.channels.push_back(sums[c].finished());
+    }
     return {std::move(difference), {}};
 }
 

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "bakers/io/formats/exr/exr_file.h"
+#include "bakers/io/manifest/manifest.h"
 #include "config/diagnostics/diagnostic.h"
 #include "config/sections/file_formats.h"
 
@@ -94,6 +95,20 @@ config::Outcome<ComparedImage> compared_radiance(const std::filesystem::path& pa
 
 // Reads both images once, row by row. Diagnostics come from the row sources.
 Outcome<ImageDifference> compare_images(const ComparedImage& first, const ComparedImage& second);
+
+// A file that the manifest beside it lists, which says how its values are read.
+struct ListedFile {
+    std::filesystem::path path;
+    ManifestAsset asset;
+    ManifestFile file;
+};
+
+// Returns nothing if no manifest lists the file, or if it has no values of its own.
+std::optional<ListedFile> listed_file(const std::filesystem::path& path);
+
+// Compares a level of two files, of the same format or not, by value. The first one's is held in memory.
+Outcome<ImageDifference> compare_listed(const ListedFile& first, const ListedFile& second,
+                                        int level);
 
 // Returns the differences between facts and texts by name. Those of entries are compared by member, except
 // for members that follow from the texels.
