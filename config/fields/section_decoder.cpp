@@ -126,19 +126,24 @@ struct SectionReader {
         }
     }
 
-    // Returns another table that has a key of this name, for a key that stands in the wrong table.
+    // Returns another table that has a key of this name, for a key that stands in the wrong table: the first
+    // of its own tables, else the first of all.
     std::string home_of(std::string_view key) const {
+        std::string home;
         for (const Section& other : sections()) {
             if (other.path == section.path && other.asset == section.asset) continue;
+            const bool is_within = other.path.starts_with(section.path + ".");
             const bool is_field = find_field(other, key) != nullptr;
             const std::vector<std::string_view> tables = subtables(other.path);
             if (!is_field && std::ranges::find(tables, key) == tables.end()) continue;
-            if (other.path.empty()) return fmt::format("`{}` belongs at the top level", key);
-            if (!other.asset.empty())
-                return fmt::format("`{}` is a key of asset {}", key, other.asset);
-            return fmt::format("`{}` belongs in [{}]", key, other.path);
+            if (!home.empty() && !is_within) continue;
+            home = other.path.empty() ? fmt::format("`{}` belongs at the top level", key)
+                   : !other.asset.empty()
+                       ? fmt::format("`{}` is a key of asset {}", key, other.asset)
+                       : fmt::format("`{}` belongs in [{}]", key, other.path);
+            if (is_within) break;
         }
-        return "";
+        return home;
     }
 
     // Returns what takes the place of a key that earlier releases had.
