@@ -187,10 +187,8 @@ std::vector<PlannedIntermediate> FolderPlan::intermediates() const {
 double FolderPlan::memory_mib() const {
     const PlannedAsset* largest = largest_asset(*this);
     if (!largest) return 0;
-    constexpr double kMibToSolve = 6;  // on each thread
-    const bool solves = std::ranges::any_of(
-        assets, [](const PlannedAsset& asset) { return asset.stale() && !asset.needs.empty(); });
-    double held = solves ? kMibToSolve * threads : 0;
+    constexpr double kMibOfThread = 6;  // measured, rounded up
+    double held = kMibOfThread * threads;
     for (const PlannedAsset& asset : assets) {
         if (asset.stale() && &asset != largest && config::kind_of(*asset.bake).facts.is_table) {
             held += asset.estimate.disk_mib;

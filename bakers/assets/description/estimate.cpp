@@ -15,7 +15,7 @@ using Size = std::array<int, 3>;
 
 namespace {
 
-// What the program takes with its modules, and to solve for light on one thread (measured, rounded up).
+// The program with its modules takes so much (measured, rounded up).
 constexpr double kProgramMib = 64;
 
 // Seconds to store a byte, measured with deflate, with the faster one of EXR files, and without.
