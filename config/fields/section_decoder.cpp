@@ -132,7 +132,7 @@ struct SectionReader {
         std::string home;
         for (const Section& other : sections()) {
             if (other.path == section.path && other.asset == section.asset) continue;
-            const bool is_within = other.path.starts_with(section.path + ".");
+            const bool is_within = other.path.starts_with(fmt::format("{}.", section.path));
             const bool is_field = find_field(other, key) != nullptr;
             const std::vector<std::string_view> tables = subtables(other.path);
             if (!is_field && std::ranges::find(tables, key) == tables.end()) continue;
