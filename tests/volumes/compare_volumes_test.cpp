@@ -80,14 +80,29 @@ TEST_F(CompareVolumes, SaysWhatIsNotCompared) {
     const FloatGrid::Ptr wide = any_grid();
     wide->tree().setValue(Coord(20000, 0, 0), 1);
     EXPECT_NE(of(wide).layout.find("20033 voxels along x"), std::string::npos) << of(wide).layout;
+    const auto switches = openvdb::BoolGrid::create();
+    switches->setName("on");
+    openvdb::io::File((folder_ / "a.vdb").string()).write({any_grid(), switches});
+    openvdb::io::File((folder_ / "b.vdb").string()).write({any_grid(), switches});
+    const ImageDifference difference = between("a.vdb", "b.vdb");
+    EXPECT_EQ(difference.layout, "the bytes differ, and grid on holds bool, which is not compared");
+    EXPECT_EQ(difference.channels.size(), 1U);
+}
+
+TEST_F(CompareVolumes, ComparesTheComponentsOfVectors) {
     const auto velocity = openvdb::Vec3SGrid::create(openvdb::Vec3f(1));
     velocity->setName("vel");
-    openvdb::io::File((folder_ / "a.vdb").string()).write({any_grid(), velocity});
-    openvdb::io::File((folder_ / "b.vdb").string()).write({any_grid(), velocity});
+    for (const char* name : {"a.vdb", "b.vdb"}) {
+        velocity->tree().setValue(Coord(7, 8, 9), {1, name[0] == 'a' ? 2.0F : 2.5F, 3});
+        openvdb::io::File((folder_ / name).string()).write({any_grid(), velocity});
+    }
     const ImageDifference difference = between("a.vdb", "b.vdb");
-    EXPECT_EQ(difference.layout,
-              "the bytes differ, and grid vel holds vec3s, which is not compared");
-    EXPECT_EQ(difference.channels.size(), 1U);
+    EXPECT_EQ(difference.layout, "");
+    ASSERT_EQ(difference.channels.size(), 4U);
+    EXPECT_EQ(difference.channels[2].channel, "vel.y");
+    EXPECT_EQ(difference.channels[2].max_absolute, 0.5);
+    EXPECT_EQ(difference.channels[2].worst, (std::vector{7, 8, 9}));
+    for (const std::size_t same : {0U, 1U, 3U}) EXPECT_EQ(difference.channels[same].differing, 0);
 }
 
 }  // namespace

@@ -73,6 +73,47 @@ TEST(ForeignGrid, OfDoublesMayBeStoredAsHalves) {
     expect_same_voxels(*wanted, opened(folder / "v.vdb"), {{0, 0, 0}, {100, 200, 8}});
 }
 
+TEST(ForeignGrid, OfVectorsIsReadByComponent) {
+    openvdb::initialize();
+    const TemporaryFolder folder;
+    const openvdb::Vec3f background(2, 0, -1);
+    for (const bool half : {false, true}) {
+        const auto velocity = openvdb::Vec3SGrid::create(background);
+        velocity->setName("vel");
+        velocity->setSaveFloatAsHalf(half);
+        std::array<FloatGrid::Ptr, 3> wanted;
+        for (int c = 0; c < 3; ++c)
+            wanted[static_cast<std::size_t>(c)] = FloatGrid::create(background[c]);
+        const auto change = [&](const auto& to) {
+            to(velocity->tree(), [](const openvdb::Vec3f& value) { return value; });
+            for (int c = 0; c < 3; ++c) {
+                to(wanted[static_cast<std::size_t>(c)]->tree(),
+                   [c](const openvdb::Vec3f& value) { return value[c]; });
+            }
+        };
+        change([](auto& tree, const auto& part) {
+            for (int i = 0; i < 500; ++i) {
+                const Coord at(i * 7 % 61 - 20, i * 13 % 45 - 5, i * 29 % 37);
+                const auto value = part({float(i % 97 - 3), float(i % 5) / 8, -float(i)});
+                i % 5 == 0 ? tree.setValueOff(at, value) : tree.setValueOn(at, value);
+            }
+            tree.fill({Coord(-32, 0, 8), Coord(-25, 7, 15)}, part({5, 6, 7}));
+        });
+        for (const std::uint32_t compression :
+             {std::uint32_t{openvdb::io::COMPRESS_NONE}, std::uint32_t{openvdb::io::COMPRESS_ZIP},
+              openvdb::io::COMPRESS_BLOSC | std::uint32_t{openvdb::io::COMPRESS_ACTIVE_MASK}}) {
+            write_grid(velocity, folder / "v.vdb", compression);
+            for (std::size_t c = 0; c < 3; ++c) {
+                const std::string name = std::string("vel.") + "xyz"[c];
+                expect_same_voxels(*wanted[c], opened(folder / "v.vdb", name),
+                                   {{-40, -30, -9}, {90, 80, 60}});
+            }
+        }
+        EXPECT_NE(message_of(folder / "v.vdb", "vel").find("holds vectors; write grid = \"vel.x\""),
+                  std::string::npos);
+    }
+}
+
 void write_stream(const openvdb::GridPtrVec& grids, const std::filesystem::path& path) {
     std::ofstream file(path, std::ios::binary);
     openvdb::io::Stream(file).write(grids);

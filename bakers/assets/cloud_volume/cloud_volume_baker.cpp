@@ -159,7 +159,7 @@ GlslFunction march_function(std::string_view cells, const std::string& call, std
 }
 
 Baker<CloudVolumeBake> baker(BakerTag<CloudVolumeBake>) {
-    return {.version = 11,
+    return {.version = 12,
             .bake = bake,
             .estimate = estimate_cloud_volume,
             .needs = needs,

@@ -107,13 +107,20 @@ constexpr std::int64_t most_compared = 16384;  // along an axis
 bool holds_numbers(const VdbGrid& grid) {
     constexpr std::array<std::string_view, 7> types = {"float", "half", "double", "int32",
                                                        "int64", "fp8",  "fp16"};
-    return std::find(types.begin(), types.end(), grid.value_type) != types.end();
+    return grid.is_vector || std::find(types.begin(), types.end(), grid.value_type) != types.end();
+}
+
+std::map<std::string, const VdbGrid*> grids_by_channel(const VdbFile& file) {
+    std::map<std::string, const VdbGrid*> grids;
+    for (const VdbGrid& grid : file.grids) {
+        for (const std::string& channel : channels_of(grid)) grids[channel] = &grid;
+    }
+    return grids;
 }
 
 std::string names_of(const VdbFile& file) {
     std::vector<std::string> names;
-    for (const VdbGrid& grid : file.grids) names.push_back(grid.name);
-    std::sort(names.begin(), names.end());
+    for (const auto& [channel, grid] : grids_by_channel(file)) names.push_back(channel);
     return fmt::format("{}", fmt::join(names, ", "));
 }
 
@@ -342,16 +349,15 @@ Outcome<ImageDifference> compare_volumes(const fs::path& first, const fs::path& 
             fmt::format("grids {} against {}", names_of(*a.value), names_of(*b.value));
         return {std::move(difference), {}};
     }
-    for (const VdbGrid& grid : a.value->grids) {
-        const auto other = std::find_if(b.value->grids.begin(), b.value->grids.end(),
-                                        [&](const VdbGrid& one) { return one.name == grid.name; });
-        if (!holds_numbers(grid) || !holds_numbers(*other)) {
+    const std::map<std::string, const VdbGrid*> others = grids_by_channel(*b.value);
+    for (const auto& [channel, grid] : grids_by_channel(*a.value)) {
+        if (!holds_numbers(*grid) || !holds_numbers(*others.at(channel))) {
             difference.layout =
                 fmt::format("the bytes differ, and grid {} holds {}, which is not compared",
-                            grid.name, grid.value_type);
+                            channel, grid->value_type);
             continue;
         }
-        auto problems = compare_grids(first, second, grid.name, difference);
+        auto problems = compare_grids(first, second, channel, difference);
         if (!problems.empty()) return {{}, std::move(problems)};
     }
     return {std::move(difference), {}};

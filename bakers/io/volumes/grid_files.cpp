@@ -51,6 +51,11 @@ bool has_grids(const fs::path& path) {
     return path.extension() == ".vdb" || path.extension() == ".nvdb";
 }
 
+std::vector<std::string> channels_of(const VdbGrid& grid) {
+    if (!grid.is_vector) return {grid.name};
+    return {grid.name + ".x", grid.name + ".y", grid.name + ".z"};
+}
+
 Outcome<VdbFile> read_grids(const fs::path& path) {
     return is_nanovdb(path) ? read_nvdb_facts(path) : read_vdb(path);
 }
@@ -64,12 +69,13 @@ Outcome<FileFacts> inspect_grids(const fs::path& path) {
     const Outcome<VdbFile> file = read_grids(path);
     if (!file.value) return {{}, file.diagnostics};
     FileFacts facts;
-    const std::string& type = file.value->grids.empty() ? "" : file.value->grids[0].value_type;
+    std::string type;
     for (const VdbGrid& grid : file.value->grids) {
-        facts.names.push_back(grid.name);
-        if (grid.value_type != type) {
-            return damaged_file(path, "VDB", "its grids are of different types");
-        }
+        const std::vector<std::string> channels = channels_of(grid);
+        facts.names.insert(facts.names.end(), channels.begin(), channels.end());
+        const std::string own = !grid.is_vector ? grid.value_type : grid.half ? "half" : "float";
+        if (type.empty()) type = own;
+        if (own != type) return damaged_file(path, "VDB", "its grids are of different types");
     }
     if (type == to_string(PixelType::half)) facts.pixel_type = PixelType::half;
     if (!facts.pixel_type && !is_nanovdb(path)) facts.pixel_type = PixelType::float32;

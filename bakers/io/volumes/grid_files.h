@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "bakers/io/formats/format.h"
 #include "bakers/io/formats/vdb/vdb_file.h"
@@ -17,7 +18,10 @@ bool has_grids(const std::filesystem::path& path);
 // Reads what a file of any program says of itself. E0300, E0304.
 Outcome<VdbFile> read_grids(const std::filesystem::path& path);
 
-// Opens a grid for its numbers. E0300, E0304.
+// Returns the names of what a grid holds: its own, or those of a vector's components.
+std::vector<std::string> channels_of(const VdbGrid& grid);
+
+// Opens a grid of numbers, or a component of vectors, for its numbers. E0300, E0304.
 Outcome<FileVoxels> open_numbers(const std::filesystem::path& path, const std::string& grid);
 
 // Like Format::inspect. NanoVDB files of float grids do not say whether their values were halves.

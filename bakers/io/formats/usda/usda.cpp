@@ -87,18 +87,19 @@ std::string usd_scene(const Baked& volume) {
     std::string text = header(volume, prim) +
                        fmt::format("def Volume \"{}\"\n{{\n    float3[] extent = [{}, {}]\n", prim,
                                    point_text(volume.minimum_m), point_text(last));
-    const std::vector<std::string> grids = vdb_grid_names(volume);
-    for (const std::string& grid : grids) {
-        text += fmt::format("    rel field:{0} = </{1}/{0}>\n", usd_identifier(grid), prim);
+    const std::vector<VdbGridChannels> grids = vdb_grids(volume);
+    for (const VdbGridChannels& grid : grids) {
+        text += fmt::format("    rel field:{0} = </{1}/{0}>\n", usd_identifier(grid.name), prim);
     }
     const std::string path = file_path(vdb_files(volume, scene), volume.frames > 0);
-    for (const std::string& grid : grids) {
+    for (const VdbGridChannels& grid : grids) {
         text += fmt::format(
             "\n    def OpenVDBAsset \"{}\"\n    {{\n{}"
-            "        token fieldName = \"{}\"\n        token fieldClass = \"fogVolume\"\n"
-            "        token fieldDataType = \"{}\"\n    }}\n",
-            usd_identifier(grid), path, grid,
-            volume.pixel_type == config::PixelType::half ? "half" : "float");
+            "        token fieldName = \"{}\"\n        token fieldClass = \"{}\"\n"
+            "        token fieldDataType = \"{}{}\"\n    }}\n",
+            usd_identifier(grid.name), path, grid.name, grid.count == 1 ? "fogVolume" : "unknown",
+            volume.pixel_type == config::PixelType::half ? "half" : "float",
+            grid.count == 1 ? "" : "3\"\n        token vectorDataRoleHint = \"Vector");
     }
     text += "}\n";
     return volume.up_axis == "+z" ? text + camera_text(volume) : text;

@@ -26,6 +26,7 @@ namespace skybake {
 
 struct VdbEncoding {
     bool half = false;
+    int components = 1;  // of a value; 3 of a vector
     config::VdbCompression compression = config::VdbCompression::none;
 };
 
@@ -71,14 +72,14 @@ struct VdbCodec {
     // The tree of a grid begins with its root. Its 4096^3 nodes follow in the order of x, then y,
     // then z, and after each of them its 128^3 nodes with their leaves. A node has only children,
     // no tiles.
-    std::string (*root)(std::size_t upper_nodes);
+    std::string (*root)(std::size_t upper_nodes, VdbEncoding encoding);
     // The places of a node's children are counted like those of leaves, but with 32 along an axis.
     std::string (*upper_node)(const std::array<int, 3>& corner,
                               const std::vector<std::uint16_t>& places, VdbEncoding encoding);
     std::string (*lower_node)(const VdbLeaves& leaves, VdbEncoding encoding);
 
-    // Encodes the active voxels of a strip. `values` are x fastest, then y, then z. Any thread may
-    // call it.
+    // Encodes the active voxels of a strip. `values` are x fastest, then y, then z, then component. Any
+    // thread may call it.
     void (*encode_strip)(const VoxelBox& strip, const float* values, const VdbLeaves& leaves,
                          VdbEncoding encoding, VdbStrip& encoded);
 

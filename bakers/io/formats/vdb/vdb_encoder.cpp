@@ -18,7 +18,8 @@ namespace {
 using config::VdbCompression;
 namespace io = openvdb::io;
 
-constexpr float background = 0;
+// Of a number or a vector.
+constexpr std::array<float, 3> background{};
 constexpr std::size_t uuid_at = 21;  // after the magic number, three versions and a flag
 constexpr std::size_t uuid_length = 36;
 
@@ -50,7 +51,7 @@ class StringOutput {
     explicit StringOutput(std::string& bytes) : buffer_(bytes), stream_(&buffer_) {}
     StringOutput(std::string& bytes, std::uint32_t compression_flags) : StringOutput(bytes) {
         io::setDataCompression(stream_, compression_flags);
-        io::setGridBackgroundValuePtr(stream_, &background);
+        io::setGridBackgroundValuePtr(stream_, background.data());
     }
     operator std::ostream&() { return stream_; }
 
@@ -125,42 +126,51 @@ void insert_statistics(openvdb::MetaMap& map, const VdbActiveVoxels& active,
 
 // Writes a node that has these children and no tiles, without the children themselves.
 template <class Node>
-void write_node(StringOutput& out, const std::vector<std::uint16_t>& places, bool half) {
+void write_node(StringOutput& out, const std::vector<std::uint16_t>& places, VdbEncoding encoding) {
     typename Node::NodeMaskType children;
     for (const std::uint16_t place : places) children.setOn(place);
     const typename Node::NodeMaskType active_tiles;
     children.save(out);
     active_tiles.save(out);
-    std::vector<float> tiles(Node::NUM_VALUES, background);
-    io::writeCompressedValues(out, tiles.data(), Node::NUM_VALUES, active_tiles, children, half);
+    const auto write_tiles = [&]<class Value>(Value zero) {
+        std::vector<Value> tiles(Node::NUM_VALUES, zero);
+        io::writeCompressedValues(out, tiles.data(), Node::NUM_VALUES, active_tiles, children,
+                                  encoding.half);
+    };
+    encoding.components == 1 ? write_tiles(float{}) : write_tiles(openvdb::Vec3f(0));
 }
 
 // --- Voxels -------------------------------------------------------------------------------------
 
-// Copies the active values of a leaf to `out` in the order of the file, z fastest, and returns
-// their number. The leaf's first value is at `corner`; `row` and `plane` are the distances between
-// values along y and z.
+// Copies the active values of a leaf to every `components`-th float of `out` in the order of the file, z
+// fastest, and returns their number. The leaf's first value is at `corner`; `row` and `plane` are the
+// distances between values along y and z.
 std::size_t gather(const float* corner, std::ptrdiff_t row, std::ptrdiff_t plane,
-                   const VdbLeafMask& active, float* out) {
+                   const VdbLeafMask& active, int components, float* out) {
     constexpr std::uint64_t all = ~std::uint64_t{0};
     float* const begin = out;
+    const auto put = [&out, components](float value) {
+        *out = value;
+        out += components;
+    };
     for (std::size_t x = 0; x < active.size(); ++x) {
         const float* const from = corner + x;
         if (active[x] == all) {
             for (int y = 0; y < vdb_leaf_edge; ++y) {
-                for (int z = 0; z < vdb_leaf_edge; ++z) *out++ = from[y * row + z * plane];
+                for (int z = 0; z < vdb_leaf_edge; ++z) put(from[y * row + z * plane]);
             }
             continue;
         }
         for (std::uint64_t left = active[x]; left != 0; left &= left - 1) {
             const int voxel = std::countr_zero(left);
-            *out++ = from[voxel / vdb_leaf_edge * row + voxel % vdb_leaf_edge * plane];
+            put(from[voxel / vdb_leaf_edge * row + voxel % vdb_leaf_edge * plane]);
         }
     }
-    return static_cast<std::size_t>(out - begin);
+    return static_cast<std::size_t>((out - begin) / components);
 }
 
-// Does what LeafNode::writeBuffers does, for a leaf whose inactive values are all the background.
+// Does what LeafNode::writeBuffers does, for a leaf whose inactive values are all the background. `count` is
+// that of components.
 void write_leaf(std::ostream& out, const VdbLeafMask& active, const float* values,
                 std::size_t count, VdbEncoding encoding) {
     write_raw(out, active);
@@ -171,7 +181,7 @@ void write_leaf(std::ostream& out, const VdbLeafMask& active, const float* value
         io::writeData(out, values, size, flags);
         return;
     }
-    std::array<std::uint16_t, Leaf::NUM_VALUES> halves;
+    std::array<std::uint16_t, std::size_t{3} * Leaf::NUM_VALUES> halves;
     std::transform(values, values + count, halves.begin(), half_of_float);
     io::writeData(out, halves.data(), size, flags);
 }
@@ -195,9 +205,15 @@ std::string file_head(const std::string& uuid, const Attributes& attributes, int
 
 VdbGridHead grid_head(const VdbGridDescription& description) {
     const std::uint32_t flags = compression_flags(description.encoding.compression);
-    const openvdb::FloatGrid::Ptr grid = openvdb::FloatGrid::create(background);
+    const bool is_vector = description.encoding.components > 1;
+    openvdb::GridBase::Ptr grid = openvdb::FloatGrid::create();
+    if (is_vector) grid = openvdb::Vec3SGrid::create();
     grid->setName(description.name);
-    grid->setGridClass(openvdb::GRID_FOG_VOLUME);
+    if (is_vector) {
+        grid->setVectorType(openvdb::VEC_CONTRAVARIANT_RELATIVE);
+    } else {
+        grid->setGridClass(openvdb::GRID_FOG_VOLUME);
+    }
     grid->setSaveFloatAsHalf(description.encoding.half);
     grid->setTransform(transform_of(description));
     insert(*grid, description.metadata);
@@ -228,11 +244,11 @@ std::string grid_positions(std::uint64_t grid, std::uint64_t voxels, std::uint64
     return bytes;
 }
 
-std::string root(std::size_t upper_nodes) {
+std::string root(std::size_t upper_nodes, VdbEncoding encoding) {
     std::string bytes;
     StringOutput out(bytes);
     write_raw(out, std::int32_t{1});  // buffers per leaf
-    write_raw(out, background);
+    for (int i = 0; i < encoding.components; ++i) write_raw(out, background[0]);
     write_raw(out, openvdb::Index{0});  // tiles
     write_raw(out, static_cast<openvdb::Index>(upper_nodes));
     return bytes;
@@ -243,14 +259,14 @@ std::string upper_node(const std::array<int, 3>& corner, const std::vector<std::
     std::string bytes;
     StringOutput out(bytes, compression_flags(encoding.compression));
     for (const std::int32_t coordinate : corner) write_raw(out, coordinate);
-    write_node<UpperNode>(out, places, encoding.half);
+    write_node<UpperNode>(out, places, encoding);
     return bytes;
 }
 
 std::string lower_node(const VdbLeaves& leaves, VdbEncoding encoding) {
     std::string bytes;
     StringOutput out(bytes, compression_flags(encoding.compression));
-    write_node<LowerNode>(out, leaves.places, encoding.half);
+    write_node<LowerNode>(out, leaves.places, encoding);
     for (const VdbLeafMask& active : leaves.active) write_raw(out, active);
     return bytes;
 }
@@ -261,12 +277,16 @@ void encode_strip(const VoxelBox& strip, const float* values, const VdbLeaves& l
     encoded.column_ends.fill(0);
     StringOutput out(encoded.bytes);
     const std::ptrdiff_t row = strip.size[0], plane = row * strip.size[1];
-    std::array<float, Leaf::NUM_VALUES> active_values;
+    std::array<float, std::size_t{3} * Leaf::NUM_VALUES> active_values;
     for (std::size_t i = 0; i < leaves.places.size(); ++i) {
         const std::uint16_t place = leaves.places[i];
         const float* const corner = values + voxel_index(strip, leaf_origin(strip, place));
         const VdbLeafMask& active = leaves.active[i];
-        const std::size_t count = gather(corner, row, plane, active, active_values.data());
+        std::size_t count = 0;
+        for (int c = 0; c < encoding.components; ++c) {
+            count += gather(corner + c * strip.count(), row, plane, active, encoding.components,
+                            active_values.data() + c);
+        }
         write_leaf(out, active, active_values.data(), count, encoding);
         encoded.column_ends[static_cast<std::size_t>(vdb_column(place))] = encoded.bytes.size();
     }

@@ -99,6 +99,20 @@ std::vector<std::string> vdb_grid_names(const Baked& volume) {
     return volume.channel_names;
 }
 
+std::vector<VdbGridChannels> vdb_grids(const Baked& volume) {
+    const std::vector<std::string> names = vdb_grid_names(volume);
+    std::vector<VdbGridChannels> grids;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const std::string name =
+            names[i].ends_with(".x") ? names[i].substr(0, names[i].size() - 2) : "";
+        const bool is_vector = !name.empty() && i + 2 < names.size() &&
+                               names[i + 1] == name + ".y" && names[i + 2] == name + ".z";
+        grids.push_back(is_vector ? VdbGridChannels{name, i, 3} : VdbGridChannels{names[i], i, 1});
+        if (is_vector) i += 2;
+    }
+    return grids;
+}
+
 Outcome<bool> write_vdb(const Baked& volume, int level, const Attributes& attributes, int threads,
                         Progress* progress, const fs::path& path, std::size_t most_kept_bytes) {
     if (const auto reason = contradiction(volume, level)) {

@@ -3,7 +3,7 @@
 //
 // A file has one grid per channel, named by volume.grid_names. Without names, the grid of a volume
 // with one channel is `density`, and those of several channels are `R`, `G`, `B`, `A`. Grids are
-// FloatGrids of class fog volume with background 0. Values are half or float; halves are rounded to
+// FloatGrids of class fog volume with background 0; of a vector, Vec3SGrids. Values are half or float; halves are rounded to
 // nearest even. Voxel i is centred on minimum_m + (i + 1/2) h in metres, without rotation. For
 // level 0, h is volume.voxel_size_m; for other levels, it is larger in proportion, as they have
 // fewer voxels along an axis.
@@ -35,8 +35,17 @@ namespace skybake {
 
 struct Baked;
 
-// Returns the names of the grids in a volume's files, one per channel.
+// Returns the names of the grids in a volume's files, one per channel. In VDB files, the channels `v.x`, `v.y`
+// and `v.z` are the components of a grid of vectors `v`, which is read under their names.
 std::vector<std::string> vdb_grid_names(const Baked& volume);
+
+// A grid of a file, of numbers or of vectors.
+struct VdbGridChannels {
+    std::string name;
+    std::size_t first = 0;  // channel of the volume
+    int count = 1;          // of channels
+};
+std::vector<VdbGridChannels> vdb_grids(const Baked& volume);
 
 // The most memory for encoded voxels of a sparse volume: enough for a 1024^3 cloud in half of which
 // an eighth is active.
@@ -71,6 +80,7 @@ struct VdbGrid {
     std::array<std::int64_t, 3> last_active{};
     std::int64_t active_voxels = 0;
     bool half = false;
+    bool is_vector = false;      // of three floats or halves
     bool states_active = false;  // it has the bounds of its active voxels
     bool empty = false;          // it says that no voxel is active
     Attributes metadata;         // all metadata of the grid, as text, by name

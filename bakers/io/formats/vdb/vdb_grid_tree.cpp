@@ -31,7 +31,7 @@ class TreeReader {
         const auto background = read_raw<Value>(in_);
         std::memcpy(tree_.stored_background.data(), &background, sizeof background);
         io::setGridBackgroundValuePtr(in_, tree_.stored_background.data());
-        tree_.background = static_cast<float>(background);
+        tree_.background = number_of(background, grid_.component);
         expect(std::isfinite(tree_.background), "its background is not finite");
         take_tile(tree_.background);
         const auto tiles = read_raw<openvdb::Index>(in_);
@@ -85,7 +85,7 @@ class TreeReader {
 
     void read_root_tile() {
         const Coord corner = read_corner();
-        const auto value = static_cast<float>(read_raw<Value>(in_));
+        const float value = number_of(read_raw<Value>(in_), grid_.component);
         const bool is_active = read_raw<std::int8_t>(in_) != 0;
         tree_.root_tiles[{corner[0], corner[1], corner[2]}] =
             tile_value(value, corner, vdb_upper_node_edge);
@@ -109,7 +109,7 @@ class TreeReader {
         io::readCompressedValues(in_, stored.data(), Node::NUM_VALUES, active, half_);
         std::vector<float> tiles(Node::NUM_VALUES);
         std::transform(stored.begin(), stored.end(), tiles.begin(),
-                       [](Value value) { return static_cast<float>(value); });
+                       [&](const Value& value) { return number_of(value, grid_.component); });
         constexpr int edge = Node::ChildNodeType::DIM;
         const auto corner_of = [&](openvdb::Index place) {
             Coord local;
@@ -195,6 +195,8 @@ bool is_of_numbers(const Grid& grid) {
     return base.isType<openvdb::FloatGrid>() || base.isType<openvdb::DoubleGrid>() ||
            base.isType<openvdb::Int32Grid>() || base.isType<openvdb::Int64Grid>();
 }
+
+bool is_of_vectors(const Grid& grid) { return grid.grid->isType<openvdb::Vec3SGrid>(); }
 
 GridTree read_grid_tree(Input& input, const Grid& grid) {
     return with_number_type(

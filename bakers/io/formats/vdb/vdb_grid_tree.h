@@ -91,7 +91,7 @@ struct IndexBounds {
 
 struct GridTree {
     float background = 0;                                // as the file has it, rounded to float
-    alignas(8) std::array<char, 8> stored_background{};  // in the type of the grid
+    alignas(8) std::array<char, 12> stored_background{};  // in the type of the grid
     // The smallest and largest finite value of tiles and background.
     float least_tile = 0;
     float largest_tile = 0;
@@ -113,7 +113,11 @@ struct GridTree {
     Place find(const openvdb::Coord& index) const;
 };
 
-// Calls visit(Value{}) with the type of a grid's numbers. Throws where it holds something else.
+// Whether a grid holds numbers, and whether it holds vectors of three floats.
+bool is_of_numbers(const Grid& grid);
+bool is_of_vectors(const Grid& grid);
+
+// Calls visit(Value{}) with the type of a grid's values. Throws where it holds neither numbers nor vectors.
 template <class Visit>
 auto with_number_type(const Grid& head, const Visit& visit) {
     const openvdb::GridBase& grid = *head.grid;
@@ -121,16 +125,14 @@ auto with_number_type(const Grid& head, const Visit& visit) {
     if (grid.isType<openvdb::DoubleGrid>()) return visit(double{});
     if (grid.isType<openvdb::Int32Grid>()) return visit(std::int32_t{});
     if (grid.isType<openvdb::Int64Grid>()) return visit(openvdb::Int64{});
+    if (is_of_vectors(head)) return visit(openvdb::Vec3f{});
     throw Damaged(fmt::format(
         "its grid `{}` holds {}, and only grids of float, double, int32 and "
         "int64 are read",
         openvdb::io::GridDescriptor::nameAsString(head.descriptor.uniqueName()), grid.valueType()));
 }
 
-// Whether a grid holds numbers.
-bool is_of_numbers(const Grid& grid);
-
-// Reads the tree of a grid of numbers, and finds its leaves in the file.
+// Reads the tree of a grid, and finds its leaves in the file. Of vectors, values are those of the component.
 GridTree read_grid_tree(Input& input, const Grid& grid);
 
 // Leaves the stream behind a grid that io::Stream wrote.

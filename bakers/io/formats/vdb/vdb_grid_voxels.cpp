@@ -37,6 +37,7 @@ class GridVoxels : public VoxelSource {
         : tree_(std::move(tree)),
           makes_densities_(makes_densities),
           half_(grid.descriptor.saveFloatAsHalf()),
+          component_(grid.component),
           settings_(std::ios::binary),
           file_(uninterrupted([&] { return ::open(path.c_str(), O_RDONLY | O_CLOEXEC); })) {
         expect(file_.valid(), "it has gone while it was read");
@@ -142,8 +143,9 @@ class GridVoxels : public VoxelSource {
                                            size_of_value<Value>(voxels_.half_));
             expect(end == leaf.bytes, "it has changed while it was read");
             io::readCompressedValues(in_, stored_.data(), Leaf::NUM_VALUES, active, voxels_.half_);
-            std::transform(stored_.begin(), stored_.end(), values_.begin(),
-                           [](Value value) { return static_cast<float>(value); });
+            std::transform(
+                stored_.begin(), stored_.end(), values_.begin(),
+                [&](const Value& value) { return number_of(value, voxels_.component_); });
             return values_;
         }
 
@@ -169,6 +171,7 @@ class GridVoxels : public VoxelSource {
     GridTree tree_;
     const bool makes_densities_;
     const bool half_;
+    const int component_;
     io::StreamMetadata::Ptr metadata_{new io::StreamMetadata};
     std::istringstream settings_;  // of the streams that leaves are decoded from
     const FileDescriptor file_;
@@ -178,14 +181,33 @@ std::string name_of(const Grid& grid) {
     return io::GridDescriptor::nameAsString(grid.descriptor.uniqueName());
 }
 
-// Returns the grid of that name. Without a name it is `density`, or the only grid of numbers.
-const Grid& find_grid(const std::vector<Grid>& grids, const std::string& asked) {
+// Returns the grid of that name, or the grid of vectors with the component of that name: `v.x` of `v`. Without
+// a name it is `density`, or the only grid of numbers.
+Grid find_grid(const std::vector<Grid>& grids, const std::string& asked) {
     std::vector<GridName> names;
-    for (const Grid& grid : grids) names.push_back({name_of(grid), is_of_numbers(grid)});
+    std::vector<Grid> named;
+    for (const Grid& grid : grids) {
+        names.push_back({name_of(grid), is_of_numbers(grid)});
+        named.push_back(grid);
+    }
+    for (const Grid& grid : grids) {
+        if (!is_of_vectors(grid)) continue;
+        for (int component = 0; component < 3; ++component) {
+            names.push_back({fmt::format("{}.{}", name_of(grid), "xyz"[component]), false});
+            named.push_back(grid);
+            named.back().component = component;
+        }
+    }
     std::size_t number = 0;
     if (const auto reason = find_grid_name(names, asked, number)) throw Damaged(*reason);
-    expect(!grids[number].descriptor.isInstance(), "grids share a tree");
-    return grids[number];
+    expect(!named[number].descriptor.isInstance(), "grids share a tree");
+    if (number < grids.size() && is_of_vectors(named[number])) {
+        throw Damaged(
+            fmt::format("its grid `{0}` holds vectors; write grid = \"{0}.x\", \"{0}.y\" or "
+                        "\"{0}.z\"",
+                        names[number].name));
+    }
+    return named[number];
 }
 
 IndexAxes read_transform(const openvdb::GridBase& grid, FileVoxels& voxels) {
@@ -230,7 +252,7 @@ Outcome<FileVoxels> open_grid(const std::filesystem::path& path, const std::stri
         openvdb::MetaMap metadata;
         input.read_metadata(metadata);
         const std::vector<Grid> grids = read_grid_heads(input);
-        const Grid& grid = find_grid(grids, name);
+        const Grid grid = find_grid(grids, name);
         FileVoxels voxels;
         voxels.has_place = true;
         with_number_type(grid, [&]<class Value>(Value) {

@@ -79,6 +79,7 @@ struct Grid {
     std::uint32_t compression = 0;
     std::int64_t tree_at = 0;
     bool streamed = false;  // by io::Stream: the file does not say where voxels begin and end
+    int component = 0;      // that is read of vectors; 0 of numbers
 };
 
 std::vector<Grid> read_grid_heads(Input& input);
@@ -99,7 +100,18 @@ struct ValueSize {
 template <class Value>
 constexpr ValueSize size_of_value(bool half) {
     constexpr int size = sizeof(Value);
+    if constexpr (std::is_same_v<Value, openvdb::Vec3f>) return {size, half ? size / 2 : size};
     return {size, half && std::is_floating_point_v<Value> ? 2 : size};
+}
+
+// Returns a number, or a component of a vector, as float.
+template <class Value>
+float number_of(const Value& value, int component) {
+    if constexpr (std::is_same_v<Value, openvdb::Vec3f>) {
+        return value[component];
+    } else {
+        return static_cast<float>(value);
+    }
 }
 
 // Returns where the values that io::readCompressedValues would read from here on end, or throws if

@@ -20,7 +20,7 @@ static_assert(Leaf::DIM == vdb_leaf_edge && LowerNode::DIM == vdb_node_edge &&
 std::string file_head(const std::string& uuid, const Attributes& attributes, int grids);
 VdbGridHead grid_head(const VdbGridDescription& grid);
 std::string grid_positions(std::uint64_t grid, std::uint64_t voxels, std::uint64_t end);
-std::string root(std::size_t upper_nodes);
+std::string root(std::size_t upper_nodes, VdbEncoding encoding);
 std::string upper_node(const std::array<int, 3>& corner, const std::vector<std::uint16_t>& places,
                        VdbEncoding encoding);
 std::string lower_node(const VdbLeaves& leaves, VdbEncoding encoding);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
 #include <string_view>
 #include <utility>
@@ -86,9 +87,9 @@ VdbWriter::VdbWriter(const Baked& volume, const Level& level, const VdbCodec& co
       most_kept_bytes_(most_kept_bytes),
       progress_(progress),
       path_(path),
-      encoding_{volume.pixel_type == PixelType::half, volume.vdb_compression},
+      grids_(vdb_grids(volume)),
       file_(path),
-      active_(volume.channel_names.size()) {}
+      active_(grids_.size()) {}
 
 Outcome<bool> VdbWriter::write(const Attributes& attributes, int threads) {
     file_.write(codec_.file_head(uuid_of(level_.content_hash), attributes,
@@ -140,29 +141,52 @@ void VdbWriter::survey(int threads) {
         });
 }
 
-void VdbWriter::survey_strip(std::size_t channel, const VoxelBox& strip, VdbStripSlot& slot) const {
+void VdbWriter::survey_strip(std::size_t grid, const VoxelBox& strip, VdbStripSlot& slot) const {
     slot.leaves = {};
     if (cancelled()) return;
     try {
         if (level_.voxels->is_empty(strip)) return;
-        evaluate(strip, channel, slot);
-        if (!slot.leaves.empty() && keeps_bytes_) encode(strip, slot);
+        evaluate(strip, grid, slot);
+        if (!slot.leaves.empty() && keeps_bytes_) encode(strip, grid, slot);
     } catch (const std::exception& error) {
         slot.error = cannot_write_vdb(path_, error.what());
     }
 }
 
-void VdbWriter::evaluate(const VoxelBox& strip, std::size_t channel, VdbStripSlot& slot) const {
-    slot.values.resize(static_cast<std::size_t>(strip.count()));
-    std::vector<float*> channels(volume_.channel_names.size(), nullptr);
-    channels[channel] = slot.values.data();
-    level_.voxels->fill(strip, channels);
-    slot.leaves = volume_.sparse ? active_leaves(strip, slot.values.data(), volume_.pixel_type)
-                                 : all_leaves(strip);
+VdbEncoding VdbWriter::encoding_of(std::size_t grid) const {
+    return {volume_.pixel_type == PixelType::half, grids_[grid].count, volume_.vdb_compression};
 }
 
-void VdbWriter::encode(const VoxelBox& strip, VdbStripSlot& slot) const {
-    codec_.encode_strip(strip, slot.values.data(), slot.leaves, encoding_, slot.encoded);
+void VdbWriter::evaluate(const VoxelBox& strip, std::size_t grid, VdbStripSlot& slot) const {
+    const auto count = static_cast<std::size_t>(strip.count());
+    const auto components = static_cast<std::size_t>(grids_[grid].count);
+    slot.values.resize(count * components);
+    std::vector<float*> channels(volume_.channel_names.size(), nullptr);
+    for (std::size_t c = 0; c < components; ++c) {
+        channels[grids_[grid].first + c] = slot.values.data() + c * count;
+    }
+    level_.voxels->fill(strip, channels);
+    if (!volume_.sparse) {
+        slot.leaves = all_leaves(strip);
+        return;
+    }
+    const float* magnitudes = slot.values.data();
+    if (components > 1) {
+        slot.magnitudes.resize(count);
+        for (std::size_t i = 0; i < count; ++i) {
+            slot.magnitudes[i] = 0;
+            for (std::size_t c = 0; c < components; ++c) {
+                slot.magnitudes[i] =
+                    std::max(slot.magnitudes[i], std::fabs(slot.values[c * count + i]));
+            }
+        }
+        magnitudes = slot.magnitudes.data();
+    }
+    slot.leaves = active_leaves(strip, magnitudes, volume_.pixel_type);
+}
+
+void VdbWriter::encode(const VoxelBox& strip, std::size_t grid, VdbStripSlot& slot) const {
+    codec_.encode_strip(strip, slot.values.data(), slot.leaves, encoding_of(grid), slot.encoded);
 }
 
 // Keeps the bytes of the first strips, as far as they fit. Which strips these are does not depend
@@ -208,7 +232,7 @@ void VdbWriter::encode_part(const Part& part, VdbStripSlot& slot) const {
     if (part.is_encoded || cancelled()) return;
     try {
         evaluate(part.strip, part.grid, slot);
-        encode(part.strip, slot);
+        encode(part.strip, part.grid, slot);
     } catch (const std::exception& error) {
         slot.error = cannot_write_vdb(path_, error.what());
     }
@@ -245,14 +269,14 @@ void VdbWriter::begin_grid(std::size_t grid) {
     const auto of_grid = [&](const Part& part, std::size_t other) { return part.grid < other; };
     const auto begin = std::lower_bound(parts_.begin(), parts_.end(), grid, of_grid);
     const auto end = std::lower_bound(begin, parts_.end(), grid + 1, of_grid);
-    write_topology(Parts(begin, end));
+    write_topology(Parts(begin, end), encoding_of(grid));
     voxels_at_ = file_.position();
 }
 
-VdbGridDescription VdbWriter::describe(std::size_t channel) const {
+VdbGridDescription VdbWriter::describe(std::size_t number) const {
     VdbGridDescription grid;
-    grid.name = vdb_grid_names(volume_)[channel];
-    grid.active = active_[channel];
+    grid.name = grids_[number].name;
+    grid.active = active_[number];
     const auto [width, height, depth] = level_.size;
     if (grid.active.count == 0) grid.active = {{0, 0, 0}, {width - 1, height - 1, depth - 1}, 0};
     if (volume_.sparse) grid.size = level_.size;
@@ -261,22 +285,22 @@ VdbGridDescription VdbWriter::describe(std::size_t channel) const {
         grid.voxel_size[axis] = volume_.voxel_size_m[axis] * (voxels / level_.size[axis]);
         grid.first_centre[axis] = volume_.minimum_m[axis] + grid.voxel_size[axis] / 2;
     }
-    grid.encoding = encoding_;
+    grid.encoding = encoding_of(number);
     grid.metadata = {{"units", "metres"}, {"up_axis", volume_.up_axis}};
     return grid;
 }
 
-void VdbWriter::write_topology(Parts parts) {
+void VdbWriter::write_topology(Parts parts, VdbEncoding encoding) {
     const std::vector<Parts> upper_nodes = nodes_of(parts, vdb_upper_node_edge);
-    file_.write(codec_.root(upper_nodes.size()));
+    file_.write(codec_.root(upper_nodes.size(), encoding));
     for (const Parts& upper_node : upper_nodes) {
         const std::vector<Parts> nodes = nodes_of(upper_node, vdb_node_edge);
         std::vector<std::uint16_t> places;
         for (const Parts& node : nodes) places.push_back(node_place(node.front().strip));
         const auto corner = node_corner(upper_node.front().strip, vdb_upper_node_edge);
-        file_.write(codec_.upper_node(corner, places, encoding_));
+        file_.write(codec_.upper_node(corner, places, encoding));
         for (const Parts& node : nodes) {
-            file_.write(codec_.lower_node(leaves_of_node(node), encoding_));
+            file_.write(codec_.lower_node(leaves_of_node(node), encoding));
             if (!going_well()) return;
         }
     }

@@ -30,7 +30,8 @@ struct Baked;
 
 // The memory for a strip, and its results: a strip is a part of a volume, and any thread may make one.
 struct VdbStripSlot {
-    AlignedFloats values;
+    AlignedFloats values;      // of each component after the other
+    AlignedFloats magnitudes;  // of vectors: of the largest component
     VdbLeaves leaves;  // leaves with active voxels
     VdbStrip encoded;
     std::optional<config::Diagnostic> error;
@@ -65,20 +66,21 @@ class VdbWriter {
 
     void take_all_parts();
     void survey(int threads);
-    void survey_strip(std::size_t channel, const VoxelBox& strip, VdbStripSlot& slot) const;
+    void survey_strip(std::size_t grid, const VoxelBox& strip, VdbStripSlot& slot) const;
     void keep(std::size_t grid, const VoxelBox& strip, VdbStripSlot& slot);
 
     void write_parts(int threads);
     void encode_part(const Part& part, VdbStripSlot& slot) const;
     // Fills in slot.values and slot.leaves, from which `encode` makes slot.encoded. Throws what the
     // volume's source throws.
-    void evaluate(const VoxelBox& strip, std::size_t channel, VdbStripSlot& slot) const;
-    void encode(const VoxelBox& strip, VdbStripSlot& slot) const;
+    void evaluate(const VoxelBox& strip, std::size_t grid, VdbStripSlot& slot) const;
+    void encode(const VoxelBox& strip, std::size_t grid, VdbStripSlot& slot) const;
+    VdbEncoding encoding_of(std::size_t grid) const;
     bool write_part(std::size_t index, VdbStripSlot& slot);
     void begin_grids_through(std::size_t grid);
     void begin_grid(std::size_t grid);
-    VdbGridDescription describe(std::size_t grid) const;
-    void write_topology(Parts parts);
+    VdbGridDescription describe(std::size_t number) const;
+    void write_topology(Parts parts, VdbEncoding encoding);
     VdbLeaves leaves_of_node(Parts parts) const;
     void write_node();
     void end_grid();
@@ -89,7 +91,7 @@ class VdbWriter {
     const std::size_t most_kept_bytes_;
     Progress* const progress_;
     const std::filesystem::path& path_;
-    const VdbEncoding encoding_;
+    const std::vector<VdbGridChannels> grids_;
     FileOutput file_;
     std::optional<config::Diagnostic> error_;
 
