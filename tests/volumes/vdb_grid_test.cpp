@@ -115,9 +115,14 @@ TEST(VdbGridRefused, InWordsThatSayWhatItIs) {
               "it has no grid `Density`; write grid = \"density\"");
     const auto vectors = openvdb::Vec3SGrid::create();
     vectors->setName("density");
+    EXPECT_EQ(problem_of(vectors),
+              "its grid `density` holds vectors; write grid = \"density.x\", \"density.y\" or "
+              "\"density.z\"");
+    const auto switches = openvdb::BoolGrid::create();
+    switches->setName("density");
     EXPECT_EQ(
-        problem_of(vectors),
-        "its grid `density` holds vec3s, and only grids of float, double, int32 and int64 are "
+        problem_of(switches),
+        "its grid `density` holds bool, and only grids of float, double, int32 and int64 are "
         "read");
     const FloatGrid::Ptr empty = FloatGrid::create(0);
     empty->setName("density");
