@@ -43,7 +43,7 @@ std::vector<Closure> closures() {
         {"single scattering", "single scattering", {}},
         {"mean radiance of two orders",
          "Hillaire 2020",
-         {{"method", toml_string("as_in_paper")}, {"mapping", toml_string("hillaire")}}},
+         {{"method", toml_string("converged")}, {"mapping", toml_string("hillaire")}}},
         {"mean radiance of all orders", "", {{"content", toml_string("hillaire")}}}};
     for (const int degree : {2, 4, 8}) {
         all.push_back({fmt::format("moments of degree {}", degree),

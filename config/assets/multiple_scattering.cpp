@@ -18,8 +18,6 @@ constexpr Choice multiple_scattering_mapping_choices[] = {
 constexpr Choice method_choices[] = {
     {MultipleScatteringMethod::converged, "converged",
      "Hillaire's closure of the second order, by as many nodes as the error needs"},
-    {MultipleScatteringMethod::as_in_paper, "as_in_paper",
-     "the same by 64 uniform directions of 20 steps each, for comparison"},
     {MultipleScatteringMethod::solved, "solved",
      "all orders of scattering, each layer with its own phase function"},
 };
@@ -32,7 +30,7 @@ constexpr Choice solved_content_choices[] = {
 
 constexpr std::string_view solved[] = {"solved"};
 
-constexpr std::string_view unsolved[] = {"converged", "as_in_paper"};
+constexpr std::string_view unsolved[] = {"converged"};
 
 constexpr std::string_view moments[] = {"moments"};
 

@@ -10,7 +10,7 @@
 
 namespace skybake::config {
 
-enum class MultipleScatteringMethod { converged, as_in_paper, solved };
+enum class MultipleScatteringMethod { converged, solved };
 enum class MultipleScatteringContent { hillaire, moments };
 
 struct MultipleScatteringBake : LightFiles {

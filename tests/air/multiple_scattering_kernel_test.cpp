@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "bakers/assets/multiple_scattering/multiple_scattering_as_in_paper.h"
 #include "tests/support/atmospheres.h"
 #include "tests/support/every_target.h"
+#include "tests/support/multiple_scattering_as_in_paper.h"
 #include "tests/support/number_rows.h"
 
 namespace skybake {
@@ -134,10 +134,10 @@ TEST(MultipleScatteringKernel, LevelsConverge) {
 // The paper's own quadrature is the same formula: off by its quadrature error, not by a factor.
 TEST(MultipleScatteringKernel, AsInThePaperIsTheSameFormula) {
     const Medium earth = test::preset_medium("earth_hillaire");
-    const Image2<float> transmittance = as_in_paper_transmittance(earth, 1);
+    const Image2<float> transmittance = as_in_paper::transmittance(earth);
     for (const double sun_cos_zenith : {1.0, 0.5, 0.1}) {
         const Spectrum paper =
-            multiple_scattering_as_in_paper(earth, transmittance, 0.5, sun_cos_zenith);
+            as_in_paper::multiple_scattering(earth, transmittance, 0.5, sun_cos_zenith);
         const Spectrum psi = psi_at(earth, 0.5, sun_cos_zenith);
         for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(paper[c], psi[c], 0.3 * psi[c]);
     }

@@ -58,11 +58,6 @@ TEST(MultipleScatteringTable, MaxErrorTakesTheSmallestTableThatHolds) {
     EXPECT_LE(table.certificate.lookup.max, 0.1);
 }
 
-TEST(MultipleScatteringTable, AsInThePaperSaysHowFarOffItIs) {
-    const Baked table = bake("size = [32, 32]\nmethod = \"as_in_paper\"\n");
-    EXPECT_GT(table.certificate.texel.rms, 0.05);
-}
-
 TEST(MultipleScatteringTable, GreyTablesHaveOneChannel) {
     const auto outcome = test::bake_first(R"(
         wavelengths = ["550 nm"]

@@ -12,7 +12,6 @@
 
 #include "bakers/air/ray.h"
 #include "bakers/air/transmittance_mapping.h"
-#include "bakers/assets/multiple_scattering/multiple_scattering_as_in_paper.h"
 #include "bakers/assets/multiple_scattering/multiple_scattering_kernel.h"
 #include "bakers/assets/registry/registry.h"
 #include "bakers/assets/sky/sky_lights.h"
@@ -24,6 +23,7 @@
 #include "config/assets/multiple_scattering.h"
 #include "config/assets/transmittance.h"
 #include "config/recipe/recipe.h"
+#include "tests/support/multiple_scattering_as_in_paper.h"
 
 namespace skybake {
 namespace {
@@ -155,12 +155,12 @@ std::vector<double> suns() {
 }
 
 void multiple_scattering_by_paper(benchmark::State& state) {
-    const Image2<float> transmittance = as_in_paper_transmittance(earth(), 1);
+    const Image2<float> transmittance = as_in_paper::transmittance(earth());
     for (auto _ : state) {
         for (int y = 0; y < 32; ++y) {
             for (const double sun : suns()) {
                 benchmark::DoNotOptimize(
-                    multiple_scattering_as_in_paper(earth(), transmittance, 100 * y / 31.0, sun));
+                    as_in_paper::multiple_scattering(earth(), transmittance, 100 * y / 31.0, sun));
             }
         }
     }

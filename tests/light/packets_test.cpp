@@ -34,7 +34,7 @@ std::vector<std::string> names(std::size_t channels) {
 
 const std::vector<std::string> kSections = {
     "[bake.transmittance]\nsize = [8, 8]\n",
-    "[bake.multiple_scattering]\nmethod = 'as_in_paper'\nsize = [8, 4]\n",
+    "[bake.multiple_scattering]\nmethod = 'converged'\nsize = [8, 4]\n",
     "[particles.haze]\npreset = 'haze'\n[bake.phase]\nparticles = 'haze'\nsize = 16\n",
     "[bake.sky_view]\nsize = [8, 8]\nsun_elevations = ['20 deg', '-3 deg']\n",
     "[bake.environment]\nsize = [8, 4]\nsun_elevation = '10 deg'\n",

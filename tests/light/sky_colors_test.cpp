@@ -505,7 +505,7 @@ TEST_F(TablesOfWavelengths, HaveFourChannelsAndTheWeightsOfLight) {
     EXPECT_EQ(factor.conventions.wavelengths_nm.size(), 4u);
     EXPECT_FALSE(factor.conventions.color) << "it multiplies light, which has the weights";
     const Baked table =
-        baked("[bake.multiple_scattering]\nmethod = 'as_in_paper'\nsize = [8, 8]\n", {});
+        baked("[bake.multiple_scattering]\nmethod = 'converged'\nsize = [8, 8]\n", {});
     EXPECT_EQ(table.channel_names, (std::vector<std::string>{"R", "G", "B", "A"}));
     ASSERT_TRUE(table.conventions.color);
     EXPECT_FALSE(table.conventions.color->is_applied);

@@ -224,7 +224,7 @@ Baker<config::MultipleScatteringBake> baker(BakerTag<config::MultipleScatteringB
                          {"mapping"},
                          {"content"},
                          {"degree"},
-                         {"method", "as_in_paper", "Hillaire 2020"}}};
+                         {"method", "converged", "Hillaire 2020"}}};
 }
 
 }  // namespace skybake

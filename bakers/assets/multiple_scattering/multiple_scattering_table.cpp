@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "bakers/air/ray.h"
-#include "bakers/assets/multiple_scattering/multiple_scattering_as_in_paper.h"
 #include "bakers/assets/multiple_scattering/multiple_scattering_kernel.h"
 #include "bakers/assets/sky/sky_asset.h"
 #include "bakers/field/finish_table.h"
@@ -99,31 +98,17 @@ TableModel multiple_scattering_model(const Medium& medium, const MultipleScatter
     model.convention = TexelConvention::end_points_on_texel_centres;
     const MultipleScatteringMapping mapping = bake.mapping;
     const double thickness_km = medium.thickness_km;
-    if (bake.method == MultipleScatteringMethod::as_in_paper) {
-        model.cost_per_texel = {1};
-        const auto transmittance =
-            std::make_shared<const Image2<float>>(as_in_paper_transmittance(medium, threads));
-        model.row = [&medium, mapping, thickness_km, transmittance](
-                        int, double y, const std::vector<double>& x, double* values) {
-            for (const double sun_cos_zenith : suns_at(mapping, x)) {
-                const Spectrum psi = multiple_scattering_as_in_paper(
-                    medium, *transmittance, y * thickness_km, sun_cos_zenith);
-                values = std::copy_n(data(psi), medium.channels, values);
-            }
-        };
-    } else {
-        for (const QuadratureLevel& level : quadrature_levels()) {
-            model.cost_per_texel.push_back(lookups_per_texel(level));
-        }
-        model.row = [mapping, thickness_km,
-                     coarse = std::make_shared<LazyIntegrator>(medium, kField, threads),
-                     fine = std::make_shared<LazyIntegrator>(medium, kFineField, threads)](
-                        int level, double y, const std::vector<double>& x, double* values) {
-            const Integrator& integrator = (level < kFirstFineLevel ? coarse : fine)->get();
-            integrator.row(quadrature_levels()[static_cast<std::size_t>(level)], y * thickness_km,
-                           suns_at(mapping, x), values);
-        };
+    for (const QuadratureLevel& level : quadrature_levels()) {
+        model.cost_per_texel.push_back(lookups_per_texel(level));
     }
+    model.row = [mapping, thickness_km,
+                 coarse = std::make_shared<LazyIntegrator>(medium, kField, threads),
+                 fine = std::make_shared<LazyIntegrator>(medium, kFineField, threads)](
+                    int level, double y, const std::vector<double>& x, double* values) {
+        const Integrator& integrator = (level < kFirstFineLevel ? coarse : fine)->get();
+        integrator.row(quadrature_levels()[static_cast<std::size_t>(level)], y * thickness_km,
+                       suns_at(mapping, x), values);
+    };
     model.reference = [mapping, thickness_km,
                        reference =
                            std::make_shared<LazyIntegrator>(medium, kReferenceField, threads)](
@@ -139,7 +124,6 @@ Outcome<Baked> bake_multiple_scattering(const Medium& medium, const MultipleScat
     const double thickness_km = medium.thickness_km;
     const MultipleScatteringMapping mapping = bake.mapping;
     const bool twilight = mapping == MultipleScatteringMapping::twilight;
-    const bool as_in_paper = bake.method == MultipleScatteringMethod::as_in_paper;
     table.kind = "multiple_scattering";
     table.content =
         "Psi (1/sr): radiance of light scattered twice or more, per unit of solar irradiance and "
@@ -149,12 +133,12 @@ Outcome<Baked> bake_multiple_scattering(const Medium& medium, const MultipleScat
     set_files(bake, table);
     table.certificate.reference =
         "the same integral with 44 zenith nodes a part and 512 columns of sunlight";
-    table.details.emplace_back("method", as_in_paper ? "as_in_paper" : "converged");
+    table.details.emplace_back("method", "converged");
 
     AccuracyRequest request;
     request.size = bake.size;
     request.max_error = bake.max_error;
-    if (!as_in_paper) request.max_texel_error = bake.max_texel_error;
+    request.max_texel_error = bake.max_texel_error;
     request.choice = {32, 16};
     request.quick = {8, 8};
     request.full = {1024, 16};
