@@ -3,9 +3,9 @@
 //
 // A file has one grid per channel, named by volume.grid_names. Without names, the grid of a volume
 // with one channel is `density`, and those of several channels are `R`, `G`, `B`, `A`. Grids are
-// FloatGrids of class fog volume with background 0; of a vector, Vec3SGrids. Values are half or float; halves are rounded to
-// nearest even. Voxel i is centred on minimum_m + (i + 1/2) h in metres, without rotation. For
-// level 0, h is volume.voxel_size_m; for other levels, it is larger in proportion, as they have
+// FloatGrids of class fog volume with background 0; those of vectors are Vec3SGrids. Values are half or
+// float; halves are rounded to nearest even. Voxel i is centred on minimum_m + (i + 1/2) h in metres, without
+// rotation. For level 0, h is volume.voxel_size_m; for other levels, it is larger in proportion, as they have
 // fewer voxels along an axis.
 //
 // In a dense volume, *every* voxel is active, including those of value 0. The active voxels are the
