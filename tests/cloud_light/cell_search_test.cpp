@@ -31,15 +31,8 @@ Outcome<int> chosen(const CloudLayer& layer, const CloudLightBake& bake, int thr
 // The RMS error that the asset of a cell claims.
 double claimed(const CloudLayer& layer, CloudLightBake bake, int cell) {
     bake.cell = cell;
-    Baked of;
-    of.axes.resize(3);
-    for (std::size_t a = 0; a < 3; ++a) {
-        of.axes[a].wrap = a < 2 ? AxisWrap::repeat : AxisWrap::clamp;
-        of.axes[a].last = layer.voxel_m[a] * layer.size[a];
-    }
-    of.voxel_size_m = layer.voxel_m;
     const BakeOptions options{.threads = 2, .certification = Certification::quick};
-    const auto outcome = bake_cloud_light(of, layer, bake, options, {});
+    const auto outcome = bake_cloud_light(test::volume_of(layer), layer, bake, options, {});
     return outcome.value.value().certificate.lookup.rms;
 }
 

@@ -17,24 +17,6 @@
 namespace skybake::cloud_light {
 namespace {
 
-// A volume as bake_cloud_light needs it.
-Baked volume_of(const CloudLayer& layer) {
-    Baked of;
-    of.mapping = "layer";
-    of.axes.resize(3);
-    const std::array<const char*, 3> quantities = {"x_m", "y_m", "altitude_m"};
-    for (std::size_t a = 0; a < 3; ++a) {
-        of.axes[a].quantity = quantities[a];
-        of.axes[a].wrap = a < 2 ? AxisWrap::repeat : AxisWrap::clamp;
-        of.axes[a].end_points = TexelConvention::end_points_on_edges;
-        of.axes[a].first = a < 2 ? 0 : 1000;
-        of.axes[a].last = of.axes[a].first + layer.voxel_m[a] * layer.size[a];
-    }
-    of.voxel_size_m = layer.voxel_m;
-    of.up_axis = "+z";
-    return of;
-}
-
 CloudLightBake bake_of(CloudLightContents contents, int cell = 2) {
     CloudLightBake bake;
     bake.of = "cloud";
@@ -48,7 +30,7 @@ CloudLightBake bake_of(CloudLightContents contents, int cell = 2) {
 Baked baked(const CloudLayer& layer, const CloudLightBake& bake, int threads = 2,
             Certification certification = Certification::off) {
     const BakeOptions options{.threads = threads, .certification = certification};
-    const Baked of = volume_of(layer);
+    const Baked of = test::volume_of(layer);
     auto outcome = bake_cloud_light(of, layer, bake, options, {});
     return outcome.value.value();
 }

@@ -73,8 +73,7 @@ TEST(PhaseHardCase, Case08LimitsOfSpheres) {
     const std::complex<double> polarisability = (m * m - 1.0) / (m * m + 2.0);
     const double rayleigh = 8.0 / 3 * std::pow(tiny, 4) * std::norm(polarisability);
     hold("8 sphere of x 1e-4", "Rayleigh's Q, relative",
-         std::fabs(test::mie_sphere(tiny, {1.5, 0}).efficiencies.scattering / rayleigh - 1),
-         1e-7);
+         std::fabs(test::mie_sphere(tiny, {1.5, 0}).efficiencies.scattering / rayleigh - 1), 1e-7);
 }
 
 TEST(PhaseHardCase, Case08DistributionsOfSpheres) {

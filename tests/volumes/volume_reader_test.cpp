@@ -353,15 +353,5 @@ TEST(VolumeFails, WhereTheCropIsBesideTheFile) {
                   "read");
 }
 
-TEST(VolumeFails, WhereAVdbFileEndsEarly) {
-    const TemporaryFolder folder;
-    testing::write_grid(testing::any_grid(), folder / "v.vdb");
-    const std::string bytes = testing::read_bytes(folder / "v.vdb");
-    testing::write_bytes(folder / "cut.vdb", bytes.substr(0, bytes.size() / 2));
-    VolumeFile volume = raw_volume(folder / "cut.vdb");
-    volume.format = VolumeFormat::vdb;
-    EXPECT_EQ(first_message(volume).substr(0, 5), "E0304");
-}
-
 }  // namespace
 }  // namespace skybake
