@@ -153,8 +153,7 @@ TEST(BrunetonVolume, SkyIsTheTracedOne) {
     const std::string text = testing::read_bytes(SKYBAKE_TEST_DATA "/truth_sky_earth.csv");
     const auto truth = parse_sky_truth_csv(text);
     ASSERT_TRUE(truth.has_value());
-    const SkyMedium medium =
-        make_sky_medium(test::preset_atmosphere("earth_hillaire", {"atmosphere.ground_albedo=0"}));
+    const SkyMedium medium = test::preset_sky("earth_hillaire", {"atmosphere.ground_albedo=0"});
     SolverSettings settings;
     settings.degree = sky_degree(medium);
     const SolvedLight light = solve_light(medium, settings, 2);

@@ -76,9 +76,8 @@ TEST(EnvironmentMap, HoldsWhatTheIntegratorSees) {
 }
 
 TEST(EnvironmentMap, IsTheGroundBelowAndNothingAboveWithoutAir) {
-    const SkyLight light(
-        make_sky_medium(test::preset_atmosphere("vacuum", {"atmosphere.ground_albedo=0.5"})),
-        config::SkyOrders::all, nullptr);
+    const SkyLight light(test::preset_sky("vacuum", {"atmosphere.ground_albedo=0.5"}),
+                         config::SkyOrders::all, nullptr);
     const Image2<float> map = baked(light, test::map_bake({4, 4}, 30)).image();
     EXPECT_EQ(map.texel(1, 0)[0], 0);
     EXPECT_EQ(map.texel(1, 1)[0], 0);

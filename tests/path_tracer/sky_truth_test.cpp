@@ -9,14 +9,12 @@ namespace {
 
 // The directions of the stored truth, all of them and no others.
 TEST(SkyTruth, DirectionsAreThoseOfTheStoredTruth) {
-    const auto stored =
-        parse_sky_truth_csv(test::file_text(SKYBAKE_TEST_DATA "/truth_sky_setH0_h0.5.csv"));
-    ASSERT_TRUE(stored);
+    const auto stored = test::sky_truth_of(SKYBAKE_TEST_DATA "/truth_sky_setH0_h0.5.csv");
     const std::vector<SkyTruthDirection> directions = sky_truth_directions(0.5);
     ASSERT_EQ(directions.size(), 178U);
-    ASSERT_EQ(stored->size(), 3 * directions.size());
-    for (std::size_t i = 0; i < stored->size(); ++i) {
-        const SkyTruth& value = (*stored)[i];
+    ASSERT_EQ(stored.size(), 3 * directions.size());
+    for (std::size_t i = 0; i < stored.size(); ++i) {
+        const SkyTruth& value = stored[i];
         EXPECT_EQ(value.direction, directions[i % directions.size()]);
         EXPECT_EQ(value.channel, static_cast<int>(i / directions.size()));
         double sum = 0;
@@ -26,7 +24,7 @@ TEST(SkyTruth, DirectionsAreThoseOfTheStoredTruth) {
 }
 
 TEST(SkyTruth, TextKeepsEveryBit) {
-    const SkyMedium medium = test::sky_medium("earth_hillaire");
+    const SkyMedium medium = test::preset_sky("earth_hillaire");
     const std::vector<SkyTruthDirection> directions = {{0.5, 30, 60, 90}, {0, 96, 89.5, 180}};
     const std::vector<SkyTruth> values = trace_sky_truth(medium, directions, {3, 300}, 1);
     ASSERT_EQ(values.size(), 6U);
