@@ -3,15 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
 #include "bakers/light/path_tracer/path_tracer.h"
 #include "bakers/math/transcendental.h"
 #include "tests/support/atmospheres.h"
+#include "tests/support/number_rows.h"
 #include "tests/support/sky_truth.h"
 
 namespace skybake::test {
@@ -96,12 +96,19 @@ struct Agreement {
     double mean() const { return chi_square / count; }
 };
 
-// A file of sky_truths, as tests/data has them.
+// A file of sky_truth_csv's, as tests/data has them.
 inline std::vector<SkyTruth> sky_truth_of(const std::string& path) {
-    std::ifstream file(path);
-    const auto truth = parse_sky_truth_csv(std::string{std::istreambuf_iterator<char>(file), {}});
-    EXPECT_TRUE(truth.has_value()) << path;
-    return truth.value_or(std::vector<SkyTruth>{});
+    std::vector<SkyTruth> truths;
+    for (const std::vector<double>& row : number_rows(path)) {
+        EXPECT_EQ(row.size(), 13U) << path;
+        truths.push_back({{row.at(0), row.at(1), row.at(2), row.at(3)},
+                          static_cast<int>(row.at(4)),
+                          {},
+                          row.at(11),
+                          row.at(12)});
+        std::copy_n(row.begin() + 5, kPathOrders, truths.back().orders.begin());
+    }
+    return truths;
 }
 
 }  // namespace skybake::test

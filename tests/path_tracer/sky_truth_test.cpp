@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/io/files.h"
 #include "tests/path_tracer/path_media.h"
 
 namespace skybake {
@@ -32,24 +33,9 @@ TEST(SkyTruth, TextKeepsEveryBit) {
     EXPECT_EQ(values[4].channel, 1);
     EXPECT_GT(values[0].radiance, 0);
     EXPECT_GT(values[0].standard_error, 0);
-    EXPECT_EQ(parse_sky_truth_csv(sky_truth_csv(values, "paths=300")), values);
-}
-
-TEST(SkyTruth, RefusesWhatIsNoTable) {
-    const std::string good =
-        sky_truth_csv({{{0.5, 30, 60, 90}, 1, {1, 2, 3, 4, 5, 6}, 21, 0.5}}, "x");
-    ASSERT_TRUE(parse_sky_truth_csv(good));
-    const std::string head = good.substr(0, good.find("0.5,30"));
-    EXPECT_TRUE(parse_sky_truth_csv(head)->empty());
-    for (const char* line :
-         {"0.5,30,60,90,1,1,2,3,4,5,6,21\n", "0.5,30,60,90,1,1,2,3,4,5,6,21,0.5,7\n",
-          "0.5,30,60,90,1,1,2,3,4,5,6,21,0.5,\n", "0.5,30,60,90,3,1,2,3,4,5,6,21,0.5\n",
-          "0.5,30,60,90,1.5,1,2,3,4,5,6,21,0.5\n", "0.5,30,60,90,-1,1,2,3,4,5,6,21,0.5\n",
-          "0.5,30,60,90,1,nan,2,3,4,5,6,21,0.5\n", "0.5,30,60,90,1,x,2,3,4,5,6,21,0.5\n", "\n"}) {
-        EXPECT_FALSE(parse_sky_truth_csv(head + line)) << line;
-    }
-    EXPECT_FALSE(parse_sky_truth_csv(""));
-    EXPECT_FALSE(parse_sky_truth_csv("h_km,sun\n"));
+    const testing::TemporaryFolder folder;
+    testing::write_bytes(folder / "t.csv", sky_truth_csv(values, "paths=300"));
+    EXPECT_EQ(test::sky_truth_of(folder / "t.csv"), values);
 }
 
 }  // namespace
