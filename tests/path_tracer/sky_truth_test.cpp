@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/io/files.h"
+#include <fstream>
+
 #include "tests/path_tracer/path_media.h"
+#include "tests/support/temporary_folder.h"
 
 namespace skybake {
 namespace {
@@ -34,7 +36,7 @@ TEST(SkyTruth, TextKeepsEveryBit) {
     EXPECT_GT(values[0].radiance, 0);
     EXPECT_GT(values[0].standard_error, 0);
     const testing::TemporaryFolder folder;
-    testing::write_bytes(folder / "t.csv", sky_truth_csv(values, "paths=300"));
+    std::ofstream(folder / "t.csv") << sky_truth_csv(values, "paths=300");
     EXPECT_EQ(test::sky_truth_of(folder / "t.csv"), values);
 }
 
