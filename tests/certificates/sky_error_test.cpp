@@ -73,7 +73,7 @@ using Damage = std::function<float(const std::function<float(int x, int y, int z
 Baked damaged(Baked baked, const Damage& damage) {
     Level& level = baked.levels.front();
     const std::size_t channels = baked.channel_names.size();
-    const auto right = testing::planes_of(*level.voxels, {{}, level.size}, channels);
+    const auto right = testing::planes_of(baked);
     auto wrong = right;
     Image2<float> image(level.size[0], level.size[1], static_cast<int>(channels));
     for (std::size_t c = 0; c < channels; ++c) {

@@ -35,17 +35,11 @@ Baked baked(const CloudLayer& layer, const CloudLightBake& bake, int threads = 2
     return outcome.value.value();
 }
 
-// [channel][texel].
-std::vector<std::vector<float>> texels_of(const Baked& volume) {
-    const Level& level = volume.levels.front();
-    return testing::planes_of(*level.voxels, {{}, level.size}, volume.channel_names.size());
-}
-
 // With an optical depth of 0.2 a layer, 8 voxels of 8 m high.
 CloudLayer slab() { return test::layer_of({8, 8, 8}, 1, 0.2 / 64); }
 
 // Returns the texels of the first channel.
-std::vector<float> first_of(const Baked& volume) { return texels_of(volume).front(); }
+std::vector<float> first_of(const Baked& volume) { return testing::planes_of(volume).front(); }
 
 TEST(CloudLight, OfASlabFallsWithTheDepthBelowItsTop) {
     const Baked volume = baked(slab(), bake_of(CloudLightContents::optical_depth));
@@ -75,13 +69,14 @@ TEST(CloudLight, TransmittanceIsTheExponentialOfTheDepth) {
 // Without cloud the sky is open: its harmonics are those of the upper hemisphere.
 TEST(CloudLight, AnEmptyLayerSeesTheWholeSky) {
     const CloudLayer nothing = test::layer_of({8, 8, 8}, 0);
-    const auto open = texels_of(baked(nothing, bake_of(CloudLightContents::sky_visibility)));
+    const auto open =
+        testing::planes_of(baked(nothing, bake_of(CloudLightContents::sky_visibility)));
     ASSERT_EQ(open.size(), 4U);
     EXPECT_NEAR(open[0][5], std::sqrt(std::numbers::pi), 1e-5);
     EXPECT_NEAR(open[1][5], 0, 1e-5);
     EXPECT_NEAR(open[2][5], std::sqrt(3 * std::numbers::pi) / 2, 1e-5);
     const auto suns =
-        texels_of(baked(nothing, bake_of(CloudLightContents::transmittance_harmonics)));
+        testing::planes_of(baked(nothing, bake_of(CloudLightContents::transmittance_harmonics)));
     EXPECT_NEAR(suns[0][5] / (2 * std::sqrt(std::numbers::pi)), 1, 1e-5);
     EXPECT_NEAR(suns[2][5], 0, 1e-5);
     for (const float depth : first_of(baked(nothing, bake_of(CloudLightContents::optical_depth)))) {
@@ -116,7 +111,7 @@ TEST(CloudLight, PartsOfHarmonicsAddUpToTheTransmittance) {
     double sum = 0;
     for (int part = 1; part <= 3; ++part) {
         bake.part = part;
-        const auto texels = texels_of(baked(slab(), bake));
+        const auto texels = testing::planes_of(baked(slab(), bake));
         ASSERT_EQ(texels.size(), part < 3 ? 4U : 1U);
         for (std::size_t c = 0; c < texels.size(); ++c) {
             sum += values[static_cast<std::size_t>(4 * (part - 1)) + c] * texels[c][0];

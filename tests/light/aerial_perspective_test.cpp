@@ -223,8 +223,7 @@ TEST(AerialPerspective, IsBakedByARecipe) {
         EXPECT_EQ(volume.levels[0].repeats, (std::array<bool, 3>{}));
         EXPECT_TRUE(volume.certified);
         EXPECT_LT(volume.certificate.texel.max, 1e-6);
-        const auto values = testing::planes_of(
-            *volume.levels[0].voxels, {{}, volume.levels[0].size}, volume.channel_names.size());
+        const auto values = testing::planes_of(volume);
         channels.insert(channels.end(), values.begin(), values.end());
     }
     // R, G, B, A of the one, R, G, B of the other.

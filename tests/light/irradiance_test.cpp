@@ -244,12 +244,7 @@ TEST(Irradiance, LookupsThatAreFarOffAreWarnedOf) {
         const auto baked = test::bake_first(
             "preset = \"earth_hillaire\"\n[bake.irradiance]\ncontent = \"direct\"\n" + size);
         EXPECT_TRUE(baked.value);
-        std::string found;
-        for (const config::Diagnostic& diagnostic : baked.diagnostics) {
-            EXPECT_EQ(diagnostic.severity, config::Severity::warning);
-            found += diagnostic.code + " ";
-        }
-        return found;
+        return test::codes_of(baked.diagnostics);
     };
     EXPECT_EQ(codes("size = [2, 2]\n"), "W0214 ");
     EXPECT_EQ(codes(""), "");
