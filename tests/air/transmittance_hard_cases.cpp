@@ -31,7 +31,7 @@ Medium one_layer(double ground_km, double thickness_km) {
 Medium with_exponential(double ground_km, double thickness_km, double scale_height_km,
                         double extinction_per_km = 1) {
     Medium medium = one_layer(ground_km, thickness_km);
-    const Spectrum extinction(extinction_per_km);
+    const Spectrum extinction = {extinction_per_km, extinction_per_km, extinction_per_km, 0};
     medium.exponential_layers.push_back({scale_height_km, extinction, extinction});
     return medium;
 }
@@ -39,7 +39,7 @@ Medium with_exponential(double ground_km, double thickness_km, double scale_heig
 Medium with_slab(double ground_km, double thickness_km, double bottom_km, double top_km,
                  double extinction_per_km) {
     Medium medium = one_layer(ground_km, thickness_km);
-    const Spectrum extinction(extinction_per_km);
+    const Spectrum extinction = {extinction_per_km, extinction_per_km, extinction_per_km, 0};
     medium.piecewise_layers.push_back({{{bottom_km, top_km, 1, 1, 0}}, extinction, extinction});
     return medium;
 }
