@@ -10,6 +10,7 @@
 #include "bakers/light/sky_light.h"
 #include "bakers/light/solver/solve_light.h"
 #include "config/assets/bruneton.h"
+#include "tests/io/files.h"
 #include "tests/light/sky_media.h"
 #include "tests/path_tracer/path_media.h"
 #include "tests/support/outcomes.h"
