@@ -24,6 +24,7 @@
 #include "config/assets/multiple_scattering.h"
 #include "config/assets/transmittance.h"
 #include "config/recipe/recipe.h"
+#include "tests/benchmarks/run.h"
 
 namespace skybake {
 namespace {
@@ -248,6 +249,5 @@ int main(int argc, char** argv) {
             [threads](benchmark::State& s) { table_on_threads(s, 1, threads); })
             ->UseManualTime();
     }
-    benchmark::Initialize(&argc, argv);
-    benchmark::RunSpecifiedBenchmarks();
+    return run_benchmarks(argc, argv, [] {});
 }

@@ -13,6 +13,7 @@
 #include "tests/preview/lit_slabs.h"
 #include "tests/preview/multiple_scattering_grid.h"
 #include "tests/preview/skies.h"
+#include "tests/support/loops.h"
 #include "tests/support/scene_reference.h"
 
 namespace skybake {
@@ -89,11 +90,9 @@ constexpr int kBlock = 4;
 // The mean of some pixels, whose grain it removes.
 Spectrum mean_of_block(const Image2<float>& picture, int left, int top) {
     Spectrum sum{};
-    for (int y = top; y < top + kBlock; ++y) {
-        for (int x = left; x < left + kBlock; ++x) {
-            for (std::size_t c = 0; c < 3; ++c) sum[c] += double{picture.texel(x, y)[c]};
-        }
-    }
+    testing::for_each_voxel({3, kBlock, kBlock}, [&](int c, int x, int y) {
+        sum[static_cast<std::size_t>(c)] += double{picture.texel(left + x, top + y)[c]};
+    });
     return sum / double{kBlock * kBlock};
 }
 

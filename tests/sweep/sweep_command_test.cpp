@@ -19,14 +19,14 @@ namespace {
 
 namespace fs = std::filesystem;
 using skybake::testing::files_below;
-using skybake::testing::small_recipe;
+using skybake::testing::swept_recipe;
 using Strings = std::vector<std::string>;
 
 struct Folder {
     TemporaryFolder folder;
     std::string recipe = (folder / "r.toml").string();
 
-    explicit Folder(const std::string& text = small_recipe) { write_bytes(recipe, text); }
+    explicit Folder(const std::string& text = swept_recipe) { write_bytes(recipe, text); }
     std::string out(const std::string& name = "out") const { return (folder / name).string(); }
     Strings words(const Strings& vary, const Strings& more = {},
                   const std::string& to = "out") const {
@@ -64,7 +64,7 @@ TEST(SweepCommand, BakesAndWritesItsIndex) {
 // Whoever bakes a hundred variants of a coarse noise reads so once.
 TEST(SweepCommand, SaysTheSameWarningOfManyVariantsOnce) {
     const Folder folder(
-        std::regex_replace(small_recipe, std::regex("frequency = 2"), "frequency = 4"));
+        std::regex_replace(swept_recipe, std::regex("frequency = 2"), "frequency = 4"));
     const auto warnings = [](const std::string& text) {
         std::size_t count = 0;
         for (std::size_t at = 0; (at = text.find("W0203", at)) != std::string::npos; ++at) ++count;
@@ -103,7 +103,7 @@ TEST(SweepCommand, ListsWhatIsMadeOnceForAllVariants) {
 }
 
 TEST(SweepCommand, ListsWhatFailedLastTime) {
-    const Folder folder(small_recipe + "pixel_type = \"half\"\n");
+    const Folder folder(swept_recipe + "pixel_type = \"half\"\n");
     const Strings vary = {"--vary", "noise.n.channels.Y.remap=[[0, 1, 0, 1], [0, 1, 0, 1e6]]"};
     EXPECT_EQ(folder.sweep(vary).code, 4);
     const Result list = folder.sweep(vary, {"--dry-run"});
@@ -153,7 +153,7 @@ TEST(SweepCommand, AFailingVariantEndsInExitCode4) {
 
 // A fault of all variants is a fault of the recipe, and said once.
 TEST(SweepCommand, AFaultOfTheRecipeIsNoFailureOfItsVariants) {
-    const Folder folder(small_recipe + "nonsense = 1\n");
+    const Folder folder(swept_recipe + "nonsense = 1\n");
     expect_said(folder.sweep({"--vary", "clouds.c.coverage=0.5,0.6"}), 2, {"E0102"});
     EXPECT_FALSE(fs::exists(folder.out()));
 }
