@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "tests/certificates/random_cases.h"
@@ -85,41 +86,38 @@ SunBundle suns_of(const ScatteringView& view, test::RandomCase& dice) {
     return SunBundle(suns, nu);
 }
 
-// The share of suns whose stencil is steep.
-void expect_as_sun_by_sun(double share_of_steep, int degree = 4) {
-    test::RandomCase dice(1);
-    SolvedLight light = light_of(degree, dice);
-    for (double& steep : light.steep) steep = dice.uniform(0, 1) < share_of_steep ? 1 : 0;
-    Phases phases(2);
-    for (auto& moments : phases) {
-        for (int l = 0; l <= degree; ++l) moments.push_back(any_spectrum(dice));
-    }
-    for (const double altitude_km : {0.0, 30.0}) {
-        const double r = kEarth.ground_radius_km + altitude_km;
-        const ScatteringView view = {.altitude_km = altitude_km, .s_km = 0.6 * r};
-        const BundlePiece piece = piece_of(view, 0.5, 80, dice);
-        const SunBundle suns = suns_of(view, dice);
-        test::on_every_target([&](const char* target) {
-            std::vector<double> made(static_cast<std::size_t>(suns.count) * kChannelSlots);
-            add_solved_light(light, phases, kEarth, view, piece, suns, made.data());
-            for (std::size_t i = 0; i < static_cast<std::size_t>(suns.wanted); ++i) {
-                const Spectrum wanted =
-                    sun_by_sun(light, phases, view, piece, suns.sun_cosines[i], suns.nu[i]);
-                for (std::size_t c = 0; c < kMaxChannels; ++c) {
-                    EXPECT_NEAR(made[i * kChannelSlots + c], wanted[c], 1e-9) << target << i;
+// Stencils that are steep for no sun, for some and for all of them, and high orders.
+TEST(SunBundle, IsAsSunBySun) {
+    for (const auto& any : {std::pair{0.0, 4}, {0.0, 13}, {1.0, 4}, {0.4, 4}}) {
+        const double share_of_steep = any.first;
+        const int degree = any.second;
+        test::RandomCase dice(1);
+        SolvedLight light = light_of(degree, dice);
+        for (double& steep : light.steep) steep = dice.uniform(0, 1) < share_of_steep ? 1 : 0;
+        Phases phases(2);
+        for (auto& moments : phases) {
+            for (int l = 0; l <= degree; ++l) moments.push_back(any_spectrum(dice));
+        }
+        for (const double altitude_km : {0.0, 30.0}) {
+            const double r = kEarth.ground_radius_km + altitude_km;
+            const ScatteringView view = {.altitude_km = altitude_km, .s_km = 0.6 * r};
+            const BundlePiece piece = piece_of(view, 0.5, 80, dice);
+            const SunBundle suns = suns_of(view, dice);
+            test::on_every_target([&](const char* target) {
+                std::vector<double> made(static_cast<std::size_t>(suns.count) * kChannelSlots);
+                add_solved_light(light, phases, kEarth, view, piece, suns, made.data());
+                for (std::size_t i = 0; i < static_cast<std::size_t>(suns.wanted); ++i) {
+                    const Spectrum wanted =
+                        sun_by_sun(light, phases, view, piece, suns.sun_cosines[i], suns.nu[i]);
+                    for (std::size_t c = 0; c < kMaxChannels; ++c) {
+                        EXPECT_NEAR(made[i * kChannelSlots + c], wanted[c], 1e-9)
+                            << target << i << ' ' << share_of_steep << ' ' << degree;
+                    }
                 }
-            }
-        });
+            });
+        }
     }
 }
-
-TEST(SunBundle, IsAsSunBySun) { expect_as_sun_by_sun(0); }
-
-TEST(SunBundle, IsAsSunBySunForHighOrders) { expect_as_sun_by_sun(0, 13); }
-
-TEST(SunBundle, IsAsSunBySunWhereAllStencilsAreSteep) { expect_as_sun_by_sun(1); }
-
-TEST(SunBundle, IsAsSunBySunWhereSomeStencilsAreSteep) { expect_as_sun_by_sun(0.4); }
 
 TEST(SunBundle, FillsUpVectorsWithCopies) {
     const SunBundle suns({0.5, 0.25, -0.1}, {0.1, 0.2, 0.3});
