@@ -118,8 +118,7 @@ TEST(SingleScattering, LightsTheSkinOfFogWithAHardTop) {
 TEST(SingleScattering, SmoothAirHasNoSkins) {
     for (const char* preset : {"earth", "earth_hillaire", "earth_bruneton", "earth_urban_haze",
                                "mars", "tiny_planet", "dense_earth"}) {
-        EXPECT_TRUE(lit_skins(test::preset_medium(preset)).layers.empty())
-            << preset;
+        EXPECT_TRUE(lit_skins(test::preset_medium(preset)).layers.empty()) << preset;
     }
 }
 
