@@ -84,7 +84,7 @@ TEST(VdbGrid, ReadsHalves) {
     const FloatGrid::Ptr grid = any_grid();
     grid->setSaveFloatAsHalf(true);
     write_grid(grid, folder / "v.vdb");
-    const FileVoxels file = testing::opened(folder / "v.vdb");
+    const FileVoxels file = opened(folder / "v.vdb");
     constexpr float half_of_a_step = 1.0F / 4096;  // of halves below 1
     expect_same_voxels(*grid, file, box_of(file), half_of_a_step);
     io::File again((folder / "v.vdb").string());
