@@ -3,12 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
-#include <sstream>
+#include <string>
+#include <vector>
 
 #include "bakers/air/transmittance_mapping.h"
 #include "tests/support/atmospheres.h"
 #include "tests/support/every_target.h"
+#include "tests/support/number_rows.h"
 #include "tests/support/referee.h"
 
 namespace skybake {
@@ -131,10 +132,6 @@ TEST(OpticalDepth, TheReferenceIsTheSameFromBothEndsOfAPath) {
 
 // Independent anchors: optical lengths of the three layers to 1e-13, of another program.
 TEST(OpticalDepth, AgreesWithTheAnchors) {
-    std::ifstream file(SKYBAKE_TEST_DATA "/exact_transmittance_setH.csv");
-    ASSERT_TRUE(file);
-    std::string line;
-    std::getline(file, line);
     const std::vector<std::string> layers = {"rayleigh", "mie", "ozone"};
     std::vector<Medium> media;
     for (const std::string& layer : layers) {
@@ -143,28 +140,21 @@ TEST(OpticalDepth, AgreesWithTheAnchors) {
         for (const std::string& other : layers) {
             if (other != layer) settings.push_back("atmosphere.layers." + other + ".enabled=false");
         }
-        settings.push_back("atmosphere.layers." + layer + ".scattering=0");
-        settings.back() = "atmosphere.layers." + layer + ".scattering=\"0 /m\"";
+        settings.push_back("atmosphere.layers." + layer + ".scattering=\"0 /m\"");
         settings.push_back("atmosphere.layers." + layer + ".absorption=\"1 /km\"");
         media.push_back(test::preset_medium("earth_hillaire", settings));
     }
-    int rows = 0;
-    while (std::getline(file, line)) {
-        std::istringstream cells(line);
-        std::string cell;
-        std::vector<double> values;
-        std::getline(cells, cell, ',');
-        while (std::getline(cells, cell, ',')) values.push_back(std::stod(cell));
+    const auto rows = test::number_rows(SKYBAKE_TEST_DATA "/exact_transmittance_setH.csv", 1);
+    for (const std::vector<double>& values : rows) {
         const double altitude = values[0];
         const double s = (6360 + altitude) * values[1];
         for (std::size_t i = 0; i < 3; ++i) {
             const double length = optical_depth_to_top(media[i], altitude, s)[0];
             EXPECT_NEAR(length, values[4 + i], 1e-10 * values[4 + i] + 1e-10)
-                << layers[i] << ": " << line;
+                << layers[i] << ": " << altitude << ' ' << values[1];
         }
-        ++rows;
     }
-    EXPECT_EQ(rows, 129);
+    EXPECT_EQ(rows.size(), 129U);
 }
 
 // Zenith optical depths in closed form, physics of the model.

@@ -65,32 +65,6 @@ TEST(TransmittanceTable, UeMappingHasNoHalfTexel) {
     }
 }
 
-TEST(TransmittanceTable, ProbesCatchAFlipAndAHalfTexelShift) {
-    const Baked table = bake("size = [256, 64]\n");
-    EXPECT_GE(table.levels[0].probes.size(), 16U);
-    int flipped = 0;
-    int shifted = 0;
-    for (const Probe& probe : table.levels[0].probes) {
-        std::vector<double> value(3);
-        bilinear(table.image(), probe.uvw[0], 1 - probe.uvw[1], value.data());
-        for (std::size_t c = 0; c < 3; ++c) {
-            if (std::fabs(value[c] - probe.value[c]) > probe.tolerance[c]) ++flipped;
-        }
-        bilinear(table.image(), probe.uvw[0] + 0.5 / 256, probe.uvw[1] + 0.5 / 64, value.data());
-        for (std::size_t c = 0; c < 3; ++c) {
-            if (std::fabs(value[c] - probe.value[c]) > probe.tolerance[c]) ++shifted;
-        }
-        // `at` and `uv` are one place.
-        const UnitCoordinates x =
-            transmittance_coordinates({6360, 100}, probe.at[0].second, probe.at[1].second);
-        constexpr auto kConvention = TexelConvention::end_points_on_texel_centres;
-        EXPECT_NEAR(texture_coordinate(kConvention, x.x_mu, 256), probe.uvw[0], 1e-9);
-        EXPECT_NEAR(texture_coordinate(kConvention, x.x_r, 64), probe.uvw[1], 1e-9);
-    }
-    EXPECT_GT(flipped, 20);
-    EXPECT_GT(shifted, 20);
-}
-
 TEST(TransmittanceTable, MaxErrorTakesTheSmallestTableThatHolds) {
     const Baked table = bake("max_error = \"1 %\"\n");
     EXPECT_LE(table.certificate.lookup.max, 0.01);

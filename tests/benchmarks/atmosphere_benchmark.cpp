@@ -23,6 +23,7 @@
 #include "config/assets/multiple_scattering.h"
 #include "config/assets/transmittance.h"
 #include "config/recipe/recipe.h"
+#include "tests/benchmarks/run.h"
 #include "tests/support/multiple_scattering_as_in_paper.h"
 
 namespace skybake {
@@ -43,69 +44,37 @@ enum class StepRule {
 
 constexpr double kSampleInStep = 0.3;  // SampleSegmentT in the sample of Hillaire 2020
 
-// A ray to the top on which extinction is sampled and summed.
-class SampledRay {
-  public:
-    SampledRay(const Medium& medium, double altitude_km, double s_km)
-        : medium_(medium), shell_(shell_of(medium)), altitude_km_(altitude_km), s_km_(s_km) {}
-
-    double length_km() const { return distance_to_top_km(shell_, altitude_km_, s_km_); }
-
-    // Adds the extinction at a distance, times a step's length.
-    void add(double distance_km, double step_km) {
-        const double altitude = std::clamp(
-            altitude_along_km(shell_, altitude_km_, s_km_, distance_km), 0.0, shell_.thickness_km);
-        for (const ExponentialLayer& layer : medium_.exponential_layers) {
-            // The C library's exponential, faster than ours: a baseline must not be slow by choice,
-            // and no asset is made of it.
-            const double density = std::exp(-altitude / layer.scale_height_km);
-            add_column(density * step_km, layer.extinction_per_km);
-        }
-        for (const PiecewiseLayer& layer : medium_.piecewise_layers) {
-            for (const LinearPiece& piece : layer.pieces) {
-                if (altitude < piece.bottom_km || altitude > piece.top_km) continue;
-                add_column(density_at(piece, altitude) * step_km, layer.extinction_per_km);
-                break;
-            }
-        }
-    }
-
-    const Spectrum& depth() const { return depth_; }
-
-  private:
-    void add_column(double column_km, const Spectrum& extinction_per_km) {
-        depth_ += column_km * extinction_per_km;
-    }
-
-    const Medium& medium_;
-    Shell shell_;
-    double altitude_km_;
-    double s_km_;
-    Spectrum depth_{};
-};
-
 // Returns the optical depth from an altitude with s = r mu to the top of the atmosphere. The ray
 // must not hit the ground. It takes one sample after the other, without vectors; steps >= 1.
 Spectrum optical_depth_by_steps(const Medium& medium, double altitude_km, double s_km, int steps,
                                 StepRule rule) {
     assert(steps >= 1);
-    SampledRay ray(medium, altitude_km, s_km);
-    const double step = ray.length_km() / steps;
-    switch (rule) {
-        case StepRule::end_point: {
-            double begin = 0;
-            for (int i = 0; i < steps; ++i) {
-                const double end = step * (i + kSampleInStep);
-                ray.add(end, end - begin);
-                begin = end;
-            }
-            break;
+    const Shell shell = shell_of(medium);
+    const double step = distance_to_top_km(shell, altitude_km, s_km) / steps;
+    const bool middle = rule == StepRule::midpoint;
+    Spectrum depth{};
+    double begin = 0;
+    for (int i = 0; i < steps; ++i) {
+        const double end = step * (i + (middle ? 0.5 : kSampleInStep));
+        const double length_km = middle ? step : end - begin;
+        begin = end;
+        const double altitude =
+            std::clamp(altitude_along_km(shell, altitude_km, s_km, end), 0.0, shell.thickness_km);
+        for (const ExponentialLayer& layer : medium.exponential_layers) {
+            // The C library's exponential, faster than ours: a baseline must not be slow by choice,
+            // and no asset is made of it.
+            const double density = std::exp(-altitude / layer.scale_height_km);
+            depth += density * length_km * layer.extinction_per_km;
         }
-        case StepRule::midpoint:
-            for (int i = 0; i < steps; ++i) ray.add(step * (i + 0.5), step);
-            break;
+        for (const PiecewiseLayer& layer : medium.piecewise_layers) {
+            for (const LinearPiece& piece : layer.pieces) {
+                if (altitude < piece.bottom_km || altitude > piece.top_km) continue;
+                depth += density_at(piece, altitude) * length_km * layer.extinction_per_km;
+                break;
+            }
+        }
     }
-    return ray.depth();
+    return depth;
 }
 
 const config::Recipe& earth_recipe() {
@@ -280,6 +249,5 @@ int main(int argc, char** argv) {
             [threads](benchmark::State& s) { table_on_threads(s, 1, threads); })
             ->UseManualTime();
     }
-    benchmark::Initialize(&argc, argv);
-    benchmark::RunSpecifiedBenchmarks();
+    return run_benchmarks(argc, argv, [] {});
 }

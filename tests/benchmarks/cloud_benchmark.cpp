@@ -23,13 +23,9 @@ CloudPlan plan_of(const std::string& text, const Size& size) {
     const auto recipe = config::parse_recipe(text, "benchmark");
     const config::Parameters& parameters = recipe.value->parameters;
     const config::Cloud& cloud = parameters.clouds.front();
-    const auto named = [&](const std::string& name) -> const config::Noise* {
-        for (const config::Noise& noise : parameters.noises) {
-            if (noise.name == name) return &noise;
-        }
-        return nullptr;
-    };
-    return make_cloud_plan(cloud, *named(cloud.noise), named(cloud.detail), size, {});
+    return make_cloud_plan(
+        cloud, config::noise_named(parameters, cloud.noise),
+        cloud.detail.empty() ? nullptr : &config::noise_named(parameters, cloud.detail), size, {});
 }
 
 // Box by box, as writers take them, into the same memory.

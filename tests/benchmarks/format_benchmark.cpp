@@ -16,7 +16,8 @@
 #include "bakers/field/bc4.h"
 #include "bakers/field/bc6h.h"
 #include "bakers/io/formats/format.h"
-#include "bakers/math/memory.h"
+#include "tests/benchmarks/run.h"
+#include "tests/support/loops.h"
 #include "tests/support/volumes.h"
 
 namespace skybake {
@@ -31,15 +32,11 @@ class HeldVoxels : public VoxelSource {
   public:
     HeldVoxels() : values_(std::size_t{edge} * edge * edge) {
         float* out = values_.data();
-        for (int z = 0; z < edge; ++z) {
-            for (int y = 0; y < edge; ++y) {
-                for (int x = 0; x < edge; ++x) {
-                    const int wave = (x * 3 + y * 5 + z * 2) % 512;
-                    const float ramp = static_cast<float>(wave < 256 ? wave : 511 - wave) / 300;
-                    *out++ = 0.05F + 0.95F * ramp + testing::sample_voxel(x, y, z, 0) / 50;
-                }
-            }
-        }
+        testing::for_each_voxel({edge, edge, edge}, [&](int x, int y, int z) {
+            const int wave = (x * 3 + y * 5 + z * 2) % 512;
+            const float ramp = static_cast<float>(wave < 256 ? wave : 511 - wave) / 300;
+            *out++ = 0.05F + 0.95F * ramp + testing::sample_voxel(x, y, z, 0) / 50;
+        });
     }
     void fill(const VoxelBox& box, const std::vector<float*>& channels) const override {
         fill_rows(box, channels, [&](std::size_t, int y, int z, float* out) {
@@ -107,7 +104,5 @@ BENCHMARK_CAPTURE(encode_blocks, bc6h, true);
 }  // namespace skybake
 
 int main(int argc, char** argv) {
-    skybake::keep_freed_memory();
-    benchmark::Initialize(&argc, argv);
-    benchmark::RunSpecifiedBenchmarks();
+    return skybake::run_benchmarks(argc, argv, [] {});
 }

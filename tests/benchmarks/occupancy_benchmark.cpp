@@ -21,6 +21,7 @@
 #include "config/assets/occupancy_filter.h"
 #include "tests/benchmarks/run.h"
 #include "tests/support/every_target.h"
+#include "tests/support/loops.h"
 
 namespace skybake::occupancy {
 namespace {
@@ -45,14 +46,18 @@ const AlignedFloats& noise_volume(int size) {
     return voxels;
 }
 
+void count_bytes(benchmark::State& state, const AlignedFloats& voxels) {
+    state.SetBytesProcessed(static_cast<std::int64_t>(state.iterations()) *
+                            static_cast<std::int64_t>(voxels.size() * sizeof(float)));
+}
+
 void ranges(benchmark::State& state, OccupancyFilter filter, int size, int cell) {
     const AlignedFloats& voxels = noise_volume(size);
     const CellGrid grid{{size, size, size}, cell};
     for (auto _ : state) {
         benchmark::DoNotOptimize(cell_ranges(voxels.data(), grid, filter));
     }
-    state.SetBytesProcessed(static_cast<std::int64_t>(state.iterations()) *
-                            static_cast<std::int64_t>(voxels.size() * sizeof(float)));
+    count_bytes(state, voxels);
 }
 
 // Ranges of cells like those of clouds, all of which are in the lower eighth.
@@ -63,8 +68,7 @@ void ranges_of_layer(benchmark::State& state, int size) {
     for (auto _ : state) {
         benchmark::DoNotOptimize(cell_ranges(voxels.data(), grid, OccupancyFilter::trilinear));
     }
-    state.SetBytesProcessed(static_cast<std::int64_t>(state.iterations()) *
-                            static_cast<std::int64_t>(voxels.size() * sizeof(float)));
+    count_bytes(state, voxels);
 }
 
 void ranges_on(benchmark::State& state, std::int64_t target, int size) {
@@ -84,21 +88,16 @@ void reads(benchmark::State& state, int size) {
         }
         benchmark::DoNotOptimize(sums);
     }
-    state.SetBytesProcessed(static_cast<std::int64_t>(state.iterations()) *
-                            static_cast<std::int64_t>(voxels.size() * sizeof(float)));
+    count_bytes(state, voxels);
 }
 
 // A layer of clouds over a fifth of the height: about one cell in eight is occupied.
 OccupiedCells cloud_layer(int size) {
     OccupiedCells cells{{size, size, size}, {}};
-    for (int z = 0; z < size; ++z) {
-        for (int y = 0; y < size; ++y) {
-            for (int x = 0; x < size; ++x) {
-                const double wave = std::sin(x * 0.2) + std::sin(y * 0.17) + std::sin(z * 0.3);
-                cells.occupied.push_back(5 * z < size && wave > 0.3 ? 1 : 0);
-            }
-        }
-    }
+    testing::for_each_voxel(cells.size, [&](int x, int y, int z) {
+        const double wave = std::sin(x * 0.2) + std::sin(y * 0.17) + std::sin(z * 0.3);
+        cells.occupied.push_back(5 * z < size && wave > 0.3 ? 1 : 0);
+    });
     return cells;
 }
 
@@ -109,39 +108,32 @@ void leaps(benchmark::State& state, const OccupiedCells& cells) {
 }
 
 void register_all() {
-    using benchmark::RegisterBenchmark;
-    const auto milliseconds = [](benchmark::internal::Benchmark* b) {
-        b->Unit(benchmark::kMillisecond);
+    const auto add = [](const std::string& name, const auto&... arguments) {
+        benchmark::RegisterBenchmark(name.c_str(), arguments...)->Unit(benchmark::kMillisecond);
     };
     for (const int size : {128, 512}) {
-        const std::string name = std::to_string(size);
-        milliseconds(RegisterBenchmark(("read_" + name).c_str(), reads, size));
-        milliseconds(RegisterBenchmark(("range_nearest_" + name).c_str(), ranges,
-                                       OccupancyFilter::nearest, size, 4));
+        const std::string of = '_' + std::to_string(size);
+        add("read" + of, reads, size);
+        add("range_nearest" + of, ranges, OccupancyFilter::nearest, size, 4);
         for (const int cell : {2, 4, 8, 16}) {
-            milliseconds(RegisterBenchmark(
-                ("range_trilinear_" + name + "_cell" + std::to_string(cell)).c_str(), ranges,
-                OccupancyFilter::trilinear, size, cell));
+            add("range_trilinear" + of + "_cell" + std::to_string(cell), ranges,
+                OccupancyFilter::trilinear, size, cell);
         }
-        milliseconds(RegisterBenchmark(("range_trilinear_" + name + "_layer").c_str(),
-                                       ranges_of_layer, size));
-        milliseconds(RegisterBenchmark(("range_tricubic_" + name).c_str(), ranges,
-                                       OccupancyFilter::tricubic, size, 4));
+        add("range_trilinear" + of + "_layer", ranges_of_layer, size);
+        add("range_tricubic" + of, ranges, OccupancyFilter::tricubic, size, 4);
         for (const auto& [on, target] :
              {std::pair<const char*, std::int64_t>{"_on_avx512", HWY_AVX3},
               {"_on_avx2", HWY_AVX2}}) {
             if ((hwy::SupportedTargets() & target) == 0) continue;
-            milliseconds(RegisterBenchmark(("range_trilinear_" + name + on).c_str(), ranges_on,
-                                           target, size));
+            add("range_trilinear" + of + on, ranges_on, target, size);
         }
     }
-    milliseconds(RegisterBenchmark("leap_128_cloud_layer", leaps, cloud_layer(128)));
-    OccupiedCells single{{128, 128, 128}, std::vector<std::uint8_t>(128 * 128 * 128)};
-    single.occupied[0] = 1;
-    milliseconds(RegisterBenchmark("leap_128_single_cell", leaps, single));
-    OccupiedCells dense = single;
-    for (std::size_t i = 0; i < dense.occupied.size(); i += 7) dense.occupied[i] = 1;
-    milliseconds(RegisterBenchmark("leap_128_one_cell_in_seven", leaps, dense));
+    add("leap_128_cloud_layer", leaps, cloud_layer(128));
+    OccupiedCells cells{{128, 128, 128}, std::vector<std::uint8_t>(128 * 128 * 128)};
+    cells.occupied[0] = 1;
+    add("leap_128_single_cell", leaps, cells);
+    for (std::size_t i = 0; i < cells.occupied.size(); i += 7) cells.occupied[i] = 1;
+    add("leap_128_one_cell_in_seven", leaps, cells);
 }
 
 }  // namespace

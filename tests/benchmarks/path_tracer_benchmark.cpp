@@ -11,6 +11,7 @@
 
 #include "bakers/light/path_tracer/path_tracer.h"
 #include "config/recipe/recipe.h"
+#include "tests/benchmarks/run.h"
 #include "tests/support/sky_truth.h"
 
 namespace skybake {
@@ -79,6 +80,5 @@ int main(int argc, char** argv) {
     add("sky, g 0", earth("0"));
     benchmark::RegisterBenchmark("shells and their tables", make_tracer)
         ->Unit(benchmark::kMillisecond);
-    benchmark::Initialize(&argc, argv);
-    benchmark::RunSpecifiedBenchmarks();
+    return run_benchmarks(argc, argv, [] {});
 }

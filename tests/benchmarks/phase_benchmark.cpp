@@ -10,7 +10,7 @@
 
 #include "bakers/air/particles/lorenz_mie.h"
 #include "bakers/air/particles/particle_scattering.h"
-#include "tests/support/plain_mie.h"
+#include "tests/phase/one_sphere.h"
 
 namespace skybake {
 namespace {
@@ -33,7 +33,7 @@ std::vector<double> one_minus_cosines() {
 // 1800 angles of one sphere.
 void kernel(benchmark::State& state) {
     const std::vector<double> angles = one_minus_cosines();
-    const std::vector<MieTerms> spheres = {mie_terms(mie_coefficients(kSizeParameter, kWater))};
+    const std::vector<MieTerms> spheres = {test::mie_sphere(kSizeParameter, kWater).terms};
     const std::vector<double> weights = {1};
     for (auto _ : state) {
         MieIntensities sums = no_intensities(kPairs);
@@ -49,7 +49,7 @@ BENCHMARK(kernel);
 // and took five times as long.
 [[gnu::always_inline]] inline void swapped_loops(benchmark::State& state) {
     const std::vector<double> angles = one_minus_cosines();
-    const MieCoefficients sphere = mie_coefficients(kSizeParameter, kWater);
+    const MieTerms terms = test::mie_sphere(kSizeParameter, kWater).terms;
     for (auto _ : state) {
         MieIntensities sums = no_intensities(kPairs);
         for (std::size_t first = 0; first < kPairs; first += kAtOnce) {
@@ -57,10 +57,13 @@ BENCHMARK(kernel);
             double s1[2][2][kAtOnce] = {}, s2[2][2][kAtOnce] = {};  // of two sums, both parts
             std::fill_n(pi, kAtOnce, 1.0);
             for (std::size_t j = 0; j < kAtOnce; ++j) mu[j] = 1 - angles[first + j];
-            for (std::size_t i = 0; i < sphere.a.size(); ++i) {
+            for (std::size_t i = 0; i < terms.size(); ++i) {
                 const double n = static_cast<double>(i) + 1;
-                const ComplexNumber a = (2 * n + 1) / (n * (n + 1)) * sphere.a[i];
-                const ComplexNumber b = (2 * n + 1) / (n * (n + 1)) * sphere.b[i];
+                const double sign = i % 2 == 0 ? 0.5 : -0.5;
+                const ComplexNumber sum = {0.5 * terms[i][0], 0.5 * terms[i][1]};
+                const ComplexNumber difference = {sign * terms[i][2], sign * terms[i][3]};
+                const ComplexNumber a = sum + difference;
+                const ComplexNumber b = sum - difference;
                 for (std::size_t j = 0; j < kAtOnce; ++j) {
                     const double tau = n * mu[j] * pi[j] - (n + 1) * before[j];
                     s1[i % 2][0][j] += a.real * pi[j];

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <functional>
 #include <random>
 #include <string>
 #include <string_view>
@@ -26,11 +27,13 @@ struct RandomScene {
     double max_error = 0;  // 0: none, so that the plan takes the knee
 };
 
-RandomScene random_scene(std::uint32_t seed) {
-    std::mt19937 engine(seed);
-    const auto even = [&](double low, double high) {
-        return low + (high - low) * static_cast<double>(engine()) / 4294967296.0;
-    };
+// Numbers spread evenly.
+double even(std::mt19937& engine, double low, double high) {
+    return low + (high - low) * static_cast<double>(engine()) / 4294967296.0;
+}
+
+RandomScene random_scene(std::mt19937& engine) {
+    const auto even = std::bind_front(skybake::even, std::ref(engine));
     constexpr std::array kPresets = {"earth", "earth_hillaire", "earth_bruneton", "mars_rgb"};
     const std::string preset = kPresets[engine() % kPresets.size()];
     const double lowest_km = even(0, 2);
@@ -54,11 +57,8 @@ RandomScene random_scene(std::uint32_t seed) {
     return scene;
 }
 
-RandomScene random_clouds(std::uint32_t seed) {
-    std::mt19937 engine(seed);
-    const auto even = [&](double low, double high) {
-        return low + (high - low) * static_cast<double>(engine()) / 4294967296.0;
-    };
+RandomScene random_clouds(std::mt19937& engine) {
+    const auto even = std::bind_front(skybake::even, std::ref(engine));
     constexpr std::array kPresets = {"cumulus_humilis", "cumulus_mediocris", "stratocumulus",
                                      "altocumulus"};
     const double highest_km = even(0.2, 4);
@@ -76,21 +76,24 @@ int run(std::uint32_t scenes, std::uint32_t first, config::Draws draws) {
     const bool clouds = draws == config::Draws::clouds;
     std::vector<double> ratios;
     for (std::uint32_t i = first; i < first + scenes; ++i) {
-        const RandomScene scene = clouds ? random_clouds(i) : random_scene(i);
+        std::mt19937 engine(i);
+        const RandomScene scene = clouds ? random_clouds(engine) : random_scene(engine);
         PlanRequest request;
         request.load = [&](std::span<const std::string> settings) {
             return config::parse_recipe(scene.text, "scene", {}, settings);
         };
         if (scene.max_error > 0) request.limits.error = scene.max_error;
-        const auto plan = clouds ? plan_cloud(request, "c") : plan_light(request, draws);
+        const auto planned = [&] {
+            return clouds ? plan_cloud(request, "c") : plan_light(request, draws);
+        };
+        const auto plan = planned();
         if (!plan.value) {
             fmt::print("{}: {}\n", i, plan.diagnostics.front().message);
             continue;
         }
         const MeasuredWay& chosen = plan.value->ways[plan.value->chosen];
         request.judged = &chosen.way;
-        const MeasuredWay again =
-            (clouds ? plan_cloud(request, "c") : plan_light(request, draws)).value->ways.front();
+        const MeasuredWay again = planned().value->ways.front();
         const double judged = clouds ? again.figures.error : again.error.ninth_decile;
         ratios.push_back(judged / chosen.figures.error);
         fmt::print("{}: limit {:.2g}, {}: claimed {:.2g}, judged {:.2g}, ratio {:.2f}\n", i,

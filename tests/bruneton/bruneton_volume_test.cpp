@@ -9,12 +9,11 @@
 #include "bakers/light/shared_light.h"
 #include "bakers/light/sky_light.h"
 #include "bakers/light/solver/solve_light.h"
-#include "bakers/math/transcendental.h"
 #include "config/assets/bruneton.h"
 #include "tests/io/files.h"
 #include "tests/light/sky_media.h"
+#include "tests/path_tracer/path_media.h"
 #include "tests/support/outcomes.h"
-#include "tests/support/sky_truth.h"
 #include "tests/support/volumes.h"
 
 namespace skybake {
@@ -150,11 +149,7 @@ TEST(BrunetonVolume, IrradianceFallsFromNoonToNight) {
 
 // The sky as a runtime makes it of two tables, against path tracing down to 96 degrees.
 TEST(BrunetonVolume, SkyIsTheTracedOne) {
-    const std::string text = testing::read_bytes(SKYBAKE_TEST_DATA "/truth_sky_earth.csv");
-    const auto truth = parse_sky_truth_csv(text);
-    ASSERT_TRUE(truth.has_value());
-    const SkyMedium medium =
-        make_sky_medium(test::preset_atmosphere("earth_hillaire", {"atmosphere.ground_albedo=0"}));
+    const SkyMedium medium = test::preset_sky("earth_hillaire", {"atmosphere.ground_albedo=0"});
     SolverSettings settings;
     settings.degree = sky_degree(medium);
     const SolvedLight light = solve_light(medium, settings, 2);
@@ -172,20 +167,17 @@ TEST(BrunetonVolume, SkyIsTheTracedOne) {
     fit_lookups(mapping, 3, options, air);
     fit_lookups(mapping, 3, options, mie);
     std::vector<double> errors;
-    for (const SkyTruth& value : *truth) {
+    for (const SkyTruth& value : test::sky_truth_of(SKYBAKE_TEST_DATA "/truth_sky_earth.csv")) {
         if (!(value.radiance > 0)) continue;
         const SkyTruthDirection& at = value.direction;
-        const auto cosine = [](double degrees) { return cosine_of_pi(degrees / 180); };
-        const double sun = cosine(at.sun_zenith_degrees);
-        const double mu = cosine(at.view_zenith_degrees);
-        const double nu = std::clamp(
-            sun * mu + std::sqrt((1 - sun * sun) * (1 - mu * mu)) * cosine(at.azimuth_degrees),
-            -1.0, 1.0);
+        const test::View seen = test::view_at(at.altitude_km, at.sun_zenith_degrees,
+                                              at.view_zenith_degrees, at.azimuth_degrees);
+        const double nu = seen.direction.cosine_to_sun;
         ScatteringView view;
         view.altitude_km = at.altitude_km;
-        view.s_km = (6360 + at.altitude_km) * mu;
+        view.s_km = (6360 + at.altitude_km) * seen.direction.mu;
         view.length_km = distance_to_top_km(mapping.shell(), at.altitude_km, view.s_km);
-        const ScatteringCoordinates x = mapping.coordinates(view, sun, nu);
+        const ScatteringCoordinates x = mapping.coordinates(view, seen.sun.cosine, nu);
         const auto c = static_cast<std::size_t>(value.channel);
         const auto half = config::PixelType::half;
         const double found = look_up(air, mapping, x, half)[c] * rayleigh_phase(nu) +

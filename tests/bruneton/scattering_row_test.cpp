@@ -63,7 +63,7 @@ double worst_error(const SkyMedium& medium, const ScatteringRows& rows,
 }
 
 TEST(ScatteringRow, EqualsDirectIntegrationOnEarth) {
-    const SkyMedium medium = make_sky_medium(test::preset_atmosphere("earth_hillaire"));
+    const SkyMedium medium = test::preset_sky("earth_hillaire");
     SolverSettings settings;
     settings.orders = 2;
     settings.suns = 24;
@@ -96,7 +96,7 @@ RC_GTEST_PROP(ScatteringRow, EqualsDirectIntegrationOfSingleScattering, ()) {
 }
 
 TEST(ScatteringRow, GoesOnSmoothlyWhereThereAreNoSuchSuns) {
-    const SkyMedium medium = make_sky_medium(test::preset_atmosphere("earth_hillaire"));
+    const SkyMedium medium = test::preset_sky("earth_hillaire");
     const ScatteringRows rows(medium, nullptr, make_sunlight(medium.air, 2));
     const ScatteringMapping mapping(shell_of(medium.air), {256, 128, 32}, 8, -0.2);
     const ScatteringView view = mapping.view_of_texel(90, 2);

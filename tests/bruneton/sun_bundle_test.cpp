@@ -4,9 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
+#include <utility>
 #include <vector>
 
+#include "tests/certificates/random_cases.h"
 #include "tests/noise/every_target.h"
 
 namespace skybake {
@@ -16,38 +17,32 @@ using Phases = std::vector<std::vector<Spectrum>>;  // [layer][degree]
 
 const Shell kEarth = {6360, 100};
 
-class Dice {
-  public:
-    double between(double low, double high) {
-        return low + (high - low) * static_cast<double>(engine_()) / 4294967296.0;
-    }
-    Spectrum spectrum() { return {between(0, 1), between(0, 1), between(0, 1), 0}; }
-
-  private:
-    std::mt19937 engine_;
-};
+Spectrum any_spectrum(test::RandomCase& dice) {
+    return {dice.uniform(0, 1), dice.uniform(0, 1), dice.uniform(0, 1), 0};
+}
 
 // Light without any order, so that no column stands for its neighbour.
-SolvedLight light_of(int degree, Dice& dice) {
+SolvedLight light_of(int degree, test::RandomCase& dice) {
     SolvedLight light;
     light.channels = 3;
     light.altitudes_km = {0, 1, 10, 100};
     light.suns = make_sun_axis(kEarth, 24);
     light.steep.assign(24, 0.0);
     light.light = LightField(4, 24, degree);
-    for (double& value : light.light.moments) value = dice.between(0.1, 2);
+    for (double& value : light.light.moments) value = dice.uniform(0.1, 2);
     return light;
 }
 
 // Five nodes between `from_km` and `to_km`, three of which scatter solved light.
-BundlePiece piece_of(const ScatteringView& view, double from_km, double to_km, Dice& dice) {
+BundlePiece piece_of(const ScatteringView& view, double from_km, double to_km,
+                     test::RandomCase& dice) {
     BundlePiece piece = {from_km, to_km, {}};
     for (std::size_t i = 0; i < piece.nodes.size(); ++i) {
         BundleNode& node = piece.nodes[i];
         node.distance_km =
             from_km + (to_km - from_km) * (static_cast<double>(i) + 0.5) / kBundleNodes;
         node.altitude_km = altitude_along_km(kEarth, view.altitude_km, view.s_km, node.distance_km);
-        if (i % 2 == 0) node.coarse_weights = {dice.spectrum(), dice.spectrum()};
+        if (i % 2 == 0) node.coarse_weights = {any_spectrum(dice), any_spectrum(dice)};
     }
     return piece;
 }
@@ -79,53 +74,50 @@ Spectrum sun_by_sun(const SolvedLight& light, const Phases& phases, const Scatte
 }
 
 // Suns from the zenith to midnight, most of them where the axis has its columns.
-SunBundle suns_of(const ScatteringView& view, Dice& dice) {
+SunBundle suns_of(const ScatteringView& view, test::RandomCase& dice) {
     const double mu = view.s_km / (kEarth.ground_radius_km + view.altitude_km);
     std::vector<double> suns = {0.9999, 0.99, 0.97, 0.9, -0.1, -0.3, -0.44, -0.5, -0.99};
-    while (suns.size() < 37) suns.push_back(dice.between(-0.45, 1));
+    while (suns.size() < 37) suns.push_back(dice.uniform(-0.45, 1));
     std::vector<double> nu;
     for (const double sun : suns) {
         const double spread = std::sqrt((1 - mu * mu) * (1 - sun * sun));
-        nu.push_back(mu * sun + dice.between(-0.99, 0.99) * spread);
+        nu.push_back(mu * sun + dice.uniform(-0.99, 0.99) * spread);
     }
     return SunBundle(suns, nu);
 }
 
-// The share of suns whose stencil is steep.
-void expect_as_sun_by_sun(double share_of_steep, int degree = 4) {
-    Dice dice;
-    SolvedLight light = light_of(degree, dice);
-    for (double& steep : light.steep) steep = dice.between(0, 1) < share_of_steep ? 1 : 0;
-    Phases phases(2);
-    for (auto& moments : phases) {
-        for (int l = 0; l <= degree; ++l) moments.push_back(dice.spectrum());
-    }
-    for (const double altitude_km : {0.0, 30.0}) {
-        const double r = kEarth.ground_radius_km + altitude_km;
-        const ScatteringView view = {.altitude_km = altitude_km, .s_km = 0.6 * r};
-        const BundlePiece piece = piece_of(view, 0.5, 80, dice);
-        const SunBundle suns = suns_of(view, dice);
-        test::on_every_target([&](const char* target) {
-            std::vector<double> made(static_cast<std::size_t>(suns.count) * kChannelSlots);
-            add_solved_light(light, phases, kEarth, view, piece, suns, made.data());
-            for (std::size_t i = 0; i < static_cast<std::size_t>(suns.wanted); ++i) {
-                const Spectrum wanted =
-                    sun_by_sun(light, phases, view, piece, suns.sun_cosines[i], suns.nu[i]);
-                for (std::size_t c = 0; c < kMaxChannels; ++c) {
-                    EXPECT_NEAR(made[i * kChannelSlots + c], wanted[c], 1e-9) << target << i;
+// Stencils that are steep for no sun, for some and for all of them, and high orders.
+TEST(SunBundle, IsAsSunBySun) {
+    for (const auto& any : {std::pair{0.0, 4}, {0.0, 13}, {1.0, 4}, {0.4, 4}}) {
+        const double share_of_steep = any.first;
+        const int degree = any.second;
+        test::RandomCase dice(1);
+        SolvedLight light = light_of(degree, dice);
+        for (double& steep : light.steep) steep = dice.uniform(0, 1) < share_of_steep ? 1 : 0;
+        Phases phases(2);
+        for (auto& moments : phases) {
+            for (int l = 0; l <= degree; ++l) moments.push_back(any_spectrum(dice));
+        }
+        for (const double altitude_km : {0.0, 30.0}) {
+            const double r = kEarth.ground_radius_km + altitude_km;
+            const ScatteringView view = {.altitude_km = altitude_km, .s_km = 0.6 * r};
+            const BundlePiece piece = piece_of(view, 0.5, 80, dice);
+            const SunBundle suns = suns_of(view, dice);
+            test::on_every_target([&](const char* target) {
+                std::vector<double> made(static_cast<std::size_t>(suns.count) * kChannelSlots);
+                add_solved_light(light, phases, kEarth, view, piece, suns, made.data());
+                for (std::size_t i = 0; i < static_cast<std::size_t>(suns.wanted); ++i) {
+                    const Spectrum wanted =
+                        sun_by_sun(light, phases, view, piece, suns.sun_cosines[i], suns.nu[i]);
+                    for (std::size_t c = 0; c < kMaxChannels; ++c) {
+                        EXPECT_NEAR(made[i * kChannelSlots + c], wanted[c], 1e-9)
+                            << target << i << ' ' << share_of_steep << ' ' << degree;
+                    }
                 }
-            }
-        });
+            });
+        }
     }
 }
-
-TEST(SunBundle, IsAsSunBySun) { expect_as_sun_by_sun(0); }
-
-TEST(SunBundle, IsAsSunBySunForHighOrders) { expect_as_sun_by_sun(0, 13); }
-
-TEST(SunBundle, IsAsSunBySunWhereAllStencilsAreSteep) { expect_as_sun_by_sun(1); }
-
-TEST(SunBundle, IsAsSunBySunWhereSomeStencilsAreSteep) { expect_as_sun_by_sun(0.4); }
 
 TEST(SunBundle, FillsUpVectorsWithCopies) {
     const SunBundle suns({0.5, 0.25, -0.1}, {0.1, 0.2, 0.3});

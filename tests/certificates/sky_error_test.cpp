@@ -14,6 +14,7 @@
 #include "bakers/assets/sky/sky_comparison.h"
 #include "bakers/field/voxel_array.h"
 #include "bakers/light/sky_view_mapping.h"
+#include "bakers/occupancy/cell_grid.h"
 #include "config/assets/sky_view.h"
 #include "tests/certificates/random_cases.h"
 #include "tests/support/atmospheres.h"
@@ -72,34 +73,24 @@ using Damage = std::function<float(const std::function<float(int x, int y, int z
 Baked damaged(Baked baked, const Damage& damage) {
     Level& level = baked.levels.front();
     const std::size_t channels = baked.channel_names.size();
-    const VoxelBox whole{{}, level.size};
-    const auto count = static_cast<std::size_t>(whole.count());
-    const auto right = testing::planes_of(*level.voxels, whole, channels);
+    const auto right = testing::planes_of(baked);
     auto wrong = right;
-    const auto width = static_cast<std::size_t>(level.size[0]);
+    Image2<float> image(level.size[0], level.size[1], static_cast<int>(channels));
     for (std::size_t c = 0; c < channels; ++c) {
         const auto value = [&](int x, int y, int z) {
-            const std::size_t row =
-                static_cast<std::size_t>(z) * static_cast<std::size_t>(level.size[1]) +
-                static_cast<std::size_t>(y);
-            return right[c][row * width + static_cast<std::size_t>(x)];
+            return right[c][occupancy::index_of(level.size, x, y, z)];
         };
-        for (std::size_t i = 0; i < count; ++i) {
-            const auto x = static_cast<int>(i % width);
-            const auto row = static_cast<int>(i / width);
-            wrong[c][i] = damage(value, level.size, x, row % level.size[1], row / level.size[1]);
-        }
+        testing::for_each_voxel(level.size, [&](int x, int y, int z) {
+            const float worse = damage(value, level.size, x, y, z);
+            wrong[c][occupancy::index_of(level.size, x, y, z)] = worse;
+            if (z == 0) image.texel(x, y)[c] = worse;
+        });
     }
-    if (!baked.is_table()) {
+    if (baked.is_table()) {
+        level.voxels = std::make_shared<const DenseTexels>(std::move(image));
+    } else {
         level.voxels = std::make_shared<const VoxelArray>(level.size, std::move(wrong));
-        return baked;
     }
-    Image2<float> image(level.size[0], level.size[1], static_cast<int>(channels));
-    for (std::size_t i = 0; i < count; ++i) {
-        float* texel = image.texel(static_cast<int>(i % width), static_cast<int>(i / width));
-        for (std::size_t c = 0; c < channels; ++c) texel[c] = wrong[c][i];
-    }
-    level.voxels = std::make_shared<const DenseTexels>(std::move(image));
     return baked;
 }
 

@@ -17,24 +17,6 @@
 namespace skybake::cloud_light {
 namespace {
 
-// A volume as bake_cloud_light needs it.
-Baked volume_of(const CloudLayer& layer) {
-    Baked of;
-    of.mapping = "layer";
-    of.axes.resize(3);
-    const std::array<const char*, 3> quantities = {"x_m", "y_m", "altitude_m"};
-    for (std::size_t a = 0; a < 3; ++a) {
-        of.axes[a].quantity = quantities[a];
-        of.axes[a].wrap = a < 2 ? AxisWrap::repeat : AxisWrap::clamp;
-        of.axes[a].end_points = TexelConvention::end_points_on_edges;
-        of.axes[a].first = a < 2 ? 0 : 1000;
-        of.axes[a].last = of.axes[a].first + layer.voxel_m[a] * layer.size[a];
-    }
-    of.voxel_size_m = layer.voxel_m;
-    of.up_axis = "+z";
-    return of;
-}
-
 CloudLightBake bake_of(CloudLightContents contents, int cell = 2) {
     CloudLightBake bake;
     bake.of = "cloud";
@@ -48,22 +30,16 @@ CloudLightBake bake_of(CloudLightContents contents, int cell = 2) {
 Baked baked(const CloudLayer& layer, const CloudLightBake& bake, int threads = 2,
             Certification certification = Certification::off) {
     const BakeOptions options{.threads = threads, .certification = certification};
-    const Baked of = volume_of(layer);
+    const Baked of = test::volume_of(layer);
     auto outcome = bake_cloud_light(of, layer, bake, options, {});
     return outcome.value.value();
-}
-
-// [channel][texel].
-std::vector<std::vector<float>> texels_of(const Baked& volume) {
-    const Level& level = volume.levels.front();
-    return testing::planes_of(*level.voxels, {{}, level.size}, volume.channel_names.size());
 }
 
 // With an optical depth of 0.2 a layer, 8 voxels of 8 m high.
 CloudLayer slab() { return test::layer_of({8, 8, 8}, 1, 0.2 / 64); }
 
 // Returns the texels of the first channel.
-std::vector<float> first_of(const Baked& volume) { return texels_of(volume).front(); }
+std::vector<float> first_of(const Baked& volume) { return testing::planes_of(volume).front(); }
 
 TEST(CloudLight, OfASlabFallsWithTheDepthBelowItsTop) {
     const Baked volume = baked(slab(), bake_of(CloudLightContents::optical_depth));
@@ -93,13 +69,14 @@ TEST(CloudLight, TransmittanceIsTheExponentialOfTheDepth) {
 // Without cloud the sky is open: its harmonics are those of the upper hemisphere.
 TEST(CloudLight, AnEmptyLayerSeesTheWholeSky) {
     const CloudLayer nothing = test::layer_of({8, 8, 8}, 0);
-    const auto open = texels_of(baked(nothing, bake_of(CloudLightContents::sky_visibility)));
+    const auto open =
+        testing::planes_of(baked(nothing, bake_of(CloudLightContents::sky_visibility)));
     ASSERT_EQ(open.size(), 4U);
     EXPECT_NEAR(open[0][5], std::sqrt(std::numbers::pi), 1e-5);
     EXPECT_NEAR(open[1][5], 0, 1e-5);
     EXPECT_NEAR(open[2][5], std::sqrt(3 * std::numbers::pi) / 2, 1e-5);
     const auto suns =
-        texels_of(baked(nothing, bake_of(CloudLightContents::transmittance_harmonics)));
+        testing::planes_of(baked(nothing, bake_of(CloudLightContents::transmittance_harmonics)));
     EXPECT_NEAR(suns[0][5] / (2 * std::sqrt(std::numbers::pi)), 1, 1e-5);
     EXPECT_NEAR(suns[2][5], 0, 1e-5);
     for (const float depth : first_of(baked(nothing, bake_of(CloudLightContents::optical_depth)))) {
@@ -134,7 +111,7 @@ TEST(CloudLight, PartsOfHarmonicsAddUpToTheTransmittance) {
     double sum = 0;
     for (int part = 1; part <= 3; ++part) {
         bake.part = part;
-        const auto texels = texels_of(baked(slab(), bake));
+        const auto texels = testing::planes_of(baked(slab(), bake));
         ASSERT_EQ(texels.size(), part < 3 ? 4U : 1U);
         for (std::size_t c = 0; c < texels.size(); ++c) {
             sum += values[static_cast<std::size_t>(4 * (part - 1)) + c] * texels[c][0];

@@ -109,8 +109,7 @@ TEST(CloudPaths, KeepAllLightOfAFurnace) {
 double single_scattering(const CloudLayer& layer, const CloudScattering& scattering,
                          const LayerSources& sources, const glm::dvec3& place,
                          const glm::dvec3& look) {
-    const double nu = look.x * sources.sun_direction.x + look.y * sources.sun_direction.y +
-                      look.z * sources.sun_direction.z;
+    const double nu = glm::dot(look, sources.sun_direction);
     const glm::dvec3 along = in_voxels(layer, look);
     const double length = (look.z > 0 ? layer.size[2] - place.z : -place.z) / along.z;
     constexpr int kSteps = 4000;

@@ -4,16 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <limits>
 #include <numbers>
 #include <vector>
 
-#include "bakers/assets/cloud_light/cloud_light_volume.h"
 #include "bakers/assets/cloud_light/light_values.h"
-#include "bakers/assets/cloud_light/radiance_solver.h"
-#include "bakers/assets/cloud_light/radiance_volume.h"
-#include "bakers/assets/cloud_light/texel_fit.h"
-#include "bakers/field/pixel_type.h"
 #include "config/recipe/recipe.h"
 #include "tests/cloud_light/view_pixels.h"
 
@@ -72,20 +66,6 @@ CloudLayer layer_of(const PartOfTile& cloud) {
     return test::layer_of(recipe.value->parameters);
 }
 
-std::vector<float> texels_of(const cloud_light::TexelFit& fit, const std::vector<float>& values,
-                             cloud_light::ShownAs shown) {
-    constexpr float kAny = std::numeric_limits<float>::max();
-    const float least = shown == cloud_light::ShownAs::sunlight ? 0 : -kAny;
-    std::vector<float> texels = fit.fit(values, shown, {least, kAny});
-    round_values(texels.data(), texels.size(), config::PixelType::half);
-    return texels;
-}
-
-cloud_light::TexelFit fit_of(const CloudLayer& layer, const cloud_light::PlaceGrid& places,
-                             const std::array<int, 3>& size) {
-    return {places.count, size, density_around(layer, places, kThreads), kThreads};
-}
-
 // Returns the textures as the baker makes them, from one solution for all parts.
 LightTextures textures_of(const CloudLayer& layer, double elevation) {
     config::CloudLightBake bake;
@@ -103,15 +83,7 @@ LightTextures textures_of(const CloudLayer& layer, double elevation) {
     bake.cell = kRadianceCell;
     bake.degree = kDegree;
     textures.size = cloud_light_size(layer.size, bake);
-    const auto cells = cloud_light::place_grid(layer.size, cloud_light_spacing(bake), false);
-    const cloud_light::SolvedRadiance solved =
-        cloud_light::solve_radiance(layer, cells, cloud_light::scattering_of(layer, bake), kDegree,
-                                    sun_at(elevation), with_threads());
-    const cloud_light::TexelFit fit = fit_of(layer, cells, textures.size);
-    for (std::size_t c = 0; c < solved.scattered.count(); ++c) {
-        textures.of_sun.push_back(texels_of(fit, cloud_light::values_of(solved.scattered, c),
-                                            cloud_light::ShownAs::itself));
-    }
+    textures.of_sun = radiance_texels(layer, bake, sun_at(elevation));
     textures.forward = forward_texels(kScattering, kDegree);
     return textures;
 }

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "bakers/assets/cloud_light/cloud_layer.h"
+#include "bakers/field/baked.h"
 #include "bakers/occupancy/cell_grid.h"
 #include "tests/support/volumes.h"
 
@@ -46,6 +47,24 @@ inline cloud_light::CloudLayer lone_cloud(const std::array<int, 3>& size,
         if (!inside) layer.values[occupancy::index_of(size, x, y, z)] = 0;
     });
     return layer;
+}
+
+// A volume as bake_cloud_light needs it.
+inline Baked volume_of(const cloud_light::CloudLayer& layer) {
+    Baked of;
+    of.mapping = "layer";
+    of.axes.resize(3);
+    const std::array<const char*, 3> quantities = {"x_m", "y_m", "altitude_m"};
+    for (std::size_t a = 0; a < 3; ++a) {
+        of.axes[a].quantity = quantities[a];
+        of.axes[a].wrap = a < 2 ? AxisWrap::repeat : AxisWrap::clamp;
+        of.axes[a].end_points = TexelConvention::end_points_on_edges;
+        of.axes[a].first = a < 2 ? 0 : 1000;
+        of.axes[a].last = of.axes[a].first + layer.voxel_m[a] * layer.size[a];
+    }
+    of.voxel_size_m = layer.voxel_m;
+    of.up_axis = "+z";
+    return of;
 }
 
 inline void add_edge(double threshold, double softness, cloud_light::CloudLayer& layer) {

@@ -30,38 +30,6 @@ LayerSources sun_at(double cosine, double irradiance) {
     return sources;
 }
 
-test::LightTextures textures_of(const CloudLayer& layer, const SolvedRadiance& solved,
-                                const LayerSources& sources) {
-    test::LightTextures textures;
-    textures.size = layer.size;
-    textures.depth_size = layer.size;
-    const double cosine = sources.sun_direction.z;
-    for (int z = 0; z < layer.size[2]; ++z) {
-        const double above =
-            layer.optics.extinction_per_m * layer.voxel_m[2] * (layer.size[2] - z - 0.5) / cosine;
-        textures.depth.insert(textures.depth.end(),
-                              static_cast<std::size_t>(layer.size[0] * layer.size[1]),
-                              static_cast<float>(above));
-    }
-    for (std::size_t c = 0; c < solved.scattered.count(); ++c) {
-        textures.of_sun.push_back(values_of(solved.scattered, c));
-    }
-    return textures;
-}
-
-// Seen from outside, as a runtime marches it.
-double marched_from_outside(const CloudLayer& layer, const CloudScattering& scattering,
-                            const LayerSources& sources, const glm::dvec3& look) {
-    LayerSources of_strength_1 = sources;
-    of_strength_1.sun = 1;
-    const SolvedRadiance solved = solve_radiance(layer, place_grid(layer.size, 1, false),
-                                                 scattering, kMostDegree, of_strength_1, on(2));
-    EXPECT_LE(solved.change, kLargestChange);
-    double passed = 1;
-    return test::marched(layer, textures_of(layer, solved, sources), scattering, sources,
-                         kMostDegree, {1, 1, look.z < 0 ? layer.size[2] : 0}, look, 0.5, passed);
-}
-
 TEST(Radiance, OfASlabLeavesAsDoublingSays) {
     for (const bool isotropic : {true, false}) {
         const std::vector<double> moments =
@@ -77,7 +45,7 @@ TEST(Radiance, OfASlabLeavesAsDoublingSays) {
             const glm::dvec3 look =
                 towards((up ? -1 : 1) * std::asin(0.5), 0.3 + std::numbers::pi / 2);
             const double exact = wanted.leaving(0, up, 0);
-            EXPECT_NEAR(marched_from_outside(slab(4), scattering, sources, look), exact,
+            EXPECT_NEAR(test::marched_from_outside(slab(4), scattering, sources, look), exact,
                         0.02 * exact)
                 << isotropic << ' ' << up;
         }
@@ -134,7 +102,7 @@ TEST(Radiance, AroundTheSunIsThatOfDoublingByForwardScattering) {
         const CloudLayer layer = slab(depth);
         const SolvedRadiance solved = solve_radiance(layer, place_grid(layer.size, 1, false),
                                                      scattering, kMostDegree, sources, on(2));
-        test::LightTextures textures = textures_of(layer, solved, sources);
+        test::LightTextures textures = test::textures_of(layer, solved, sources);
         const auto error = [&](std::size_t view) {
             double passed = 1;
             const glm::dvec3 look = towards(std::asin(cosines[view]), 1);
@@ -165,8 +133,8 @@ TEST(Radiance, OfASlabDiffersFromWhatIsPublishedByItsDegree) {
         EXPECT_NEAR(of_degree / published, up ? 0.9213 : 0.9839, 3e-4) << up;
         EXPECT_NEAR(seen_of_degree(15, slab_3a, 1, up) / published, 1, 2e-3) << up;
         const glm::dvec3 look = towards((up ? -1 : 1) * std::asin(slab_3a.cosines[1]), 1);
-        EXPECT_NEAR(marched_from_outside(slab(slab_3a.depth), scattering, sources, look), of_degree,
-                    1e-3 * published)
+        EXPECT_NEAR(test::marched_from_outside(slab(slab_3a.depth), scattering, sources, look),
+                    of_degree, 1e-3 * published)
             << up;
     }
 }

@@ -2,6 +2,8 @@
 // and by paths of light.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -12,9 +14,11 @@
 #include "bakers/assets/cloud_light/cloud_paths.h"
 #include "bakers/assets/cloud_light/cloud_scattering.h"
 #include "bakers/assets/cloud_light/hemisphere_harmonics.h"
+#include "bakers/assets/cloud_light/radiance_solver.h"
 #include "bakers/assets/forward_scattering/forward_table.h"
 #include "bakers/field/interpolation.h"
 #include "bakers/occupancy/cell_grid.h"
+#include "tests/support/loops.h"
 
 namespace skybake::test {
 
@@ -106,6 +110,41 @@ inline double marched(const cloud_light::CloudLayer& layer, const LightTextures&
     }
     if (look.z < 0) return light + passed * sources.ground;
     return light + passed * sources.sky * (sources.sky_shape ? sources.sky_shape(look) : 1);
+}
+
+// The textures of a slab that the sun or, where there is none, the sky lights.
+inline LightTextures textures_of(const cloud_light::CloudLayer& layer,
+                                 const cloud_light::SolvedRadiance& solved,
+                                 const cloud_light::LayerSources& sources) {
+    const double towards_sun = sources.sun > 0 ? layer.voxel_m[2] / sources.sun_direction.z : 0;
+    LightTextures textures;
+    textures.size = textures.depth_size = layer.size;
+    testing::for_each_voxel(layer.size, [&](int, int, int z) {
+        textures.depth.push_back(static_cast<float>(layer.optics.extinction_per_m * towards_sun *
+                                                    (layer.size[2] - z - 0.5)));
+    });
+    auto& lit = sources.sun > 0 ? textures.of_sun : textures.of_sky;
+    for (std::size_t c = 0; c < solved.scattered.count(); ++c) {
+        lit.push_back(cloud_light::values_of(solved.scattered, c));
+    }
+    return textures;
+}
+
+// Solves for the light of a slab and marches it from outside, as a runtime does.
+inline double marched_from_outside(const cloud_light::CloudLayer& layer,
+                                   const cloud_light::CloudScattering& scattering,
+                                   const cloud_light::LayerSources& sources,
+                                   const glm::dvec3& look) {
+    using namespace cloud_light;
+    LayerSources of_strength_1 = sources;
+    if (sources.sun > 0) of_strength_1.sun = 1;
+    const SolvedRadiance solved =
+        solve_radiance(layer, place_grid(layer.size, 1, false), scattering, kMostDegree,
+                       of_strength_1, {.threads = 2});
+    EXPECT_LE(solved.change, kLargestChange);
+    double passed = 1;
+    return marched(layer, textures_of(layer, solved, sources), scattering, sources, kMostDegree,
+                   {1, 1, look.z < 0 ? layer.size[2] : 0}, look, 0.5, passed);
 }
 
 }  // namespace skybake::test

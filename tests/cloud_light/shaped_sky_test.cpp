@@ -66,31 +66,12 @@ TEST(ShapedSky, OfAnEmptyLayerIsTheSkyItself) {
     }
 }
 
-test::LightTextures textures_of(const CloudLayer& layer, const CellFields& scattered) {
-    test::LightTextures textures;
-    textures.size = layer.size;
-    textures.depth_size = layer.size;
-    textures.depth.assign(occupancy::count_of(layer.size), 0);
-    for (std::size_t c = 0; c < scattered.count(); ++c) {
-        textures.of_sky.push_back(values_of(scattered, c));
-    }
-    return textures;
-}
-
-double marched_from_outside(const CloudLayer& layer, const CloudScattering& scattering,
-                            const LayerSources& sources, const glm::dvec3& look) {
-    double passed = 1;
-    return test::marched(layer, textures_of(layer, solved(layer, scattering, sources)), scattering,
-                         sources, kMostDegree, {1, 1, look.z < 0 ? layer.size[2] : 0}, look, 0.5,
-                         passed);
-}
-
 TEST(ShapedSky, IsNotScatteredByAnEmptyLayer) {
     const CloudLayer layer = test::layer_of({2, 2, 3}, 0);
     for (const double rise : {-0.7, 0.7}) {
         const glm::dvec3 look = towards(rise, 0.4);
-        EXPECT_EQ(marched_from_outside(layer, scattering_of(droplet_phase(12), 1), of_sky(gradient),
-                                       look),
+        EXPECT_EQ(test::marched_from_outside(layer, scattering_of(droplet_phase(12), 1),
+                                             of_sky(gradient), look),
                   rise > 0 ? gradient(look) : 0);
     }
 }
@@ -143,8 +124,8 @@ TEST(ShapedSky, OnASlabIsThatOfDoublingAndOfPaths) {
         const glm::dvec3 look = towards((up ? -1 : 1) * 0.7, 0.4);
         const double wanted = suns.leaving(gradient, look);
         const double seen = up ? 0 : gradient(look) * std::exp(-kDepth / look.z);
-        EXPECT_NEAR(marched_from_outside(layer, rayleigh(kAlbedo), sources, look) - seen, wanted,
-                    0.01 * wanted)
+        EXPECT_NEAR(test::marched_from_outside(layer, rayleigh(kAlbedo), sources, look) - seen,
+                    wanted, 0.01 * wanted)
             << up;
         const TracedRadiance paths = traced(layer, rayleigh(kAlbedo), sources, look);
         EXPECT_NEAR(paths.sum() - seen, wanted, 4 * paths.standard_error) << up;

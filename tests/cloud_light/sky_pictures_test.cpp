@@ -4,17 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <string>
 #include <vector>
 
-#include "bakers/assets/cloud_light/cloud_light_volume.h"
 #include "bakers/assets/cloud_light/layer_sky.h"
-#include "bakers/assets/cloud_light/radiance_solver.h"
-#include "bakers/assets/cloud_light/radiance_volume.h"
-#include "bakers/assets/cloud_light/texel_fit.h"
 #include "bakers/assets/cloud_volume/cloud_volume.h"
-#include "bakers/field/pixel_type.h"
 #include "config/assets/cloud_volume.h"
 #include "config/recipe/recipe.h"
 #include "tests/cloud_light/view_pixels.h"
@@ -48,25 +42,6 @@ CloudLayer layer_under_sky(const config::Parameters& parameters) {
     return layer;
 }
 
-// The coefficients of one source's light, as the baker makes them.
-std::vector<std::vector<float>> texels_of(const CloudLayer& layer,
-                                          const config::CloudLightBake& bake,
-                                          const LayerSources& sources) {
-    constexpr float kAny = std::numeric_limits<float>::max();
-    const auto cells = cloud_light::place_grid(layer.size, cloud_light_spacing(bake), false);
-    const auto solved = cloud_light::solve_radiance(
-        layer, cells, cloud_light::scattering_of(layer, bake), kDegree, sources, with_threads());
-    const cloud_light::TexelFit fit(cells.count, cloud_light_size(layer.size, bake),
-                                    density_around(layer, cells, kThreads), kThreads);
-    std::vector<std::vector<float>> texels;
-    for (std::size_t c = 0; c < solved.scattered.count(); ++c) {
-        texels.push_back(fit.fit(cloud_light::values_of(solved.scattered, c),
-                                 cloud_light::ShownAs::itself, {-kAny, kAny}));
-        round_values(texels.back().data(), texels.back().size(), config::PixelType::half);
-    }
-    return texels;
-}
-
 void print(const std::string& light, const Figures& found) {
     fmt::print("| {} | {:.1f} % | {:.1f} % | {:.1f} % |\n", light, 100 * found.rms,
                100 * found.noise, 100 * found.p99);
@@ -87,7 +62,7 @@ TEST(SlowSkyPictures, CumulusFromOutsideIsThatOfPaths) {
     textures.depth = {0};
     textures.size = cloud_light_size(layer.size, bake);
 
-    textures.of_sky = texels_of(layer, bake, uniform);
+    textures.of_sky = radiance_texels(layer, bake, uniform);
     std::vector<Pixel> pixels = covered_pixels(layer, textures, scattering, uniform);
     ASSERT_GT(pixels.size(), 50U);
     trace(layer, scattering, uniform, kPathsOfPixel, pixels);
@@ -97,7 +72,7 @@ TEST(SlowSkyPictures, CumulusFromOutsideIsThatOfPaths) {
 
     // The same texture under a sky that is not uniform.
     std::vector<Pixel> of_wrong_sky = covered_pixels(layer, textures, scattering, seen_clear);
-    textures.of_sky = texels_of(layer, bake, clear);
+    textures.of_sky = radiance_texels(layer, bake, clear);
     pixels = covered_pixels(layer, textures, scattering, seen_clear);
     trace(layer, scattering, seen_clear, kPathsOfPixel, pixels);
     for (std::size_t n = 0; n < pixels.size(); ++n) of_wrong_sky[n].traced = pixels[n].traced;
@@ -117,7 +92,7 @@ TEST(SlowSkyPictures, CumulusFromOutsideIsThatOfPaths) {
     fmt::print("between the two: {:.1f} %\n", 100 * std::sqrt(squares) / mean);
 
     textures.of_sky.clear();
-    textures.of_ground = texels_of(layer, bake, ground);
+    textures.of_ground = radiance_texels(layer, bake, ground);
     pixels = covered_pixels(layer, textures, scattering, ground);
     trace(layer, scattering, ground, kPathsOfPixel, pixels);
     const Figures of_ground = figures_of(pixels);

@@ -6,12 +6,18 @@
 #include <cmath>
 #include <cstdint>
 #include <glm/ext/vector_double3.hpp>
+#include <limits>
 #include <vector>
 
+#include "bakers/assets/cloud_light/cloud_light_volume.h"
+#include "bakers/assets/cloud_light/radiance_solver.h"
+#include "bakers/assets/cloud_light/radiance_volume.h"
+#include "bakers/assets/cloud_light/texel_fit.h"
 #include "bakers/assets/cloud_volume/cloud_volume.h"
 #include "bakers/assets/sources/source_volume.h"
 #include "bakers/field/baked.h"
 #include "bakers/field/certify.h"
+#include "bakers/field/pixel_type.h"
 #include "bakers/math/parallel.h"
 #include "config/assets/cloud_volume.h"
 #include "tests/cloud_light/radiance_view.h"
@@ -35,6 +41,38 @@ inline cloud_light::CloudLayer layer_of(const config::Parameters& parameters) {
     const BakeOptions options = with_threads();
     const auto held = hold_source_volume(parameters, "v", options, volume);
     return cloud_light::make_layer(*held.value, 0, spanned_cloud(parameters, of), options);
+}
+
+inline cloud_light::TexelFit fit_of(const cloud_light::CloudLayer& layer,
+                                    const cloud_light::PlaceGrid& places,
+                                    const std::array<int, 3>& size) {
+    return {places.count, size, density_around(layer, places, kThreads), kThreads};
+}
+
+// As files hold them.
+inline std::vector<float> texels_of(const cloud_light::TexelFit& fit,
+                                    const std::vector<float>& values, cloud_light::ShownAs shown) {
+    constexpr float kAny = std::numeric_limits<float>::max();
+    const float least = shown == cloud_light::ShownAs::sunlight ? 0 : -kAny;
+    std::vector<float> texels = fit.fit(values, shown, {least, kAny});
+    round_values(texels.data(), texels.size(), config::PixelType::half);
+    return texels;
+}
+
+// The coefficients of one source's light, as the baker makes them.
+inline std::vector<std::vector<float>> radiance_texels(const cloud_light::CloudLayer& layer,
+                                                       const config::CloudLightBake& bake,
+                                                       const cloud_light::LayerSources& sources) {
+    const auto cells = cloud_light::place_grid(layer.size, cloud_light_spacing(bake), false);
+    const auto solved = cloud_light::solve_radiance(
+        layer, cells, cloud_light::scattering_of(layer, bake), kDegree, sources, with_threads());
+    const cloud_light::TexelFit fit = fit_of(layer, cells, cloud_light_size(layer.size, bake));
+    std::vector<std::vector<float>> texels;
+    for (std::size_t c = 0; c < solved.scattered.count(); ++c) {
+        texels.push_back(texels_of(fit, cloud_light::values_of(solved.scattered, c),
+                                   cloud_light::ShownAs::itself));
+    }
+    return texels;
 }
 
 struct Pixel {

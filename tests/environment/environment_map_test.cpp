@@ -5,6 +5,7 @@
 
 #include "bakers/assets/environment/environment_sun.h"
 #include "bakers/assets/environment/environment_table.h"
+#include "bakers/assets/environment/prefilter.h"
 #include "bakers/assets/environment/sphere_harmonics.h"
 #include "bakers/assets/registry/registry.h"
 #include "bakers/field/baked.h"
@@ -75,9 +76,8 @@ TEST(EnvironmentMap, HoldsWhatTheIntegratorSees) {
 }
 
 TEST(EnvironmentMap, IsTheGroundBelowAndNothingAboveWithoutAir) {
-    const SkyLight light(
-        make_sky_medium(test::preset_atmosphere("vacuum", {"atmosphere.ground_albedo=0.5"})),
-        config::SkyOrders::all, nullptr);
+    const SkyLight light(test::preset_sky("vacuum", {"atmosphere.ground_albedo=0.5"}),
+                         config::SkyOrders::all, nullptr);
     const Image2<float> map = baked(light, test::map_bake({4, 4}, 30)).image();
     EXPECT_EQ(map.texel(1, 0)[0], 0);
     EXPECT_EQ(map.texel(1, 1)[0], 0);
@@ -252,23 +252,6 @@ TEST(EnvironmentMap, RoughLevelsGoOnFromTheMap) {
     }
 }
 
-// GGX times n.l of light at this cosine from a normal that is the view, too; and its integral over the
-// hemisphere, by a sum that knows no closed form.
-double facets(double roughness, double cosine) {
-    const double alpha = roughness * roughness;
-    const double bottom = (1 + cosine) / 2 * (alpha * alpha - 1) + 1;
-    return std::max(cosine, 0.0) * alpha * alpha / (kPi * bottom * bottom);
-}
-double all_facets(double roughness) {
-    constexpr int kSteps = 20000;
-    double sum = 0;
-    for (int i = 0; i < kSteps; ++i) {
-        const double t = (i + 0.5) / kSteps;  // 1 - cosine is its cube, since lobes may be narrow
-        sum += facets(roughness, 1 - t * t * t) * 2 * kPi * 3 * t * t / kSteps;
-    }
-    return sum;
-}
-
 // A moon or a star in the place of the sun: texels, disc, levels and lights in proportion.
 TEST(EnvironmentMap, TakesAnotherSun) {
     config::Recipe recipe = test::recipe_of(
@@ -336,8 +319,7 @@ TEST(EnvironmentMap, RoughLevelsHoldTheSun) {
         const auto& image = static_cast<const DenseTexels&>(*with.levels[level].voxels).image();
         const auto& sky = static_cast<const DenseTexels&>(*without.levels[level].voxels).image();
         const EnvironmentLayout layout(bake.mapping, {image.width, image.height});
-        const double roughness = static_cast<double>(level) / 5;
-        const double whole = level > 0 ? all_facets(roughness) : 1;
+        const ReflectedLobe lobe(static_cast<double>(std::max<std::size_t>(level, 1)) / 5);
         std::array<double, 3> light{};
         for (int y = 0; y < image.height; ++y) {
             for (int x = 0; x < image.width; ++x) {
@@ -352,7 +334,7 @@ TEST(EnvironmentMap, RoughLevelsHoldTheSun) {
                         double{image.texel(across, y)[c]} - double{sky.texel(across, y)[c]};
                     EXPECT_NEAR(sun, mirrored, 1e-6 * double{texel[c]}) << level;
                     if (level < 2) continue;
-                    const double share = facets(roughness, glm::dot(normal, to_sun)) / whole;
+                    const double share = lobe.density(glm::dot(normal, to_sun));
                     // A part of the disc may be below a texel's horizon.
                     const bool is_low = std::fabs(glm::dot(normal, to_sun)) < 0.01;
                     EXPECT_NEAR(sun, irradiance[c] * share,

@@ -153,15 +153,5 @@ TEST(EnvironmentMapping, HasNoSeams) {
     }
 }
 
-// The edges of the octahedron's square meet themselves, each half the other.
-TEST(EnvironmentMapping, EdgesOfTheOctahedronWrap) {
-    const EnvironmentLayout layout(EnvironmentMapping::octahedral, {8, 8});
-    for (int i = 0; i < 20; ++i) {
-        const double y = (i + 0.3) / 20;
-        EXPECT_LT(glm::length(layout.direction(0, 0, y) - layout.direction(0, 0, 1 - y)), 1e-14);
-        EXPECT_LT(glm::length(layout.direction(0, y, 1) - layout.direction(0, 1 - y, 1)), 1e-14);
-    }
-}
-
 }  // namespace
 }  // namespace skybake

@@ -152,28 +152,28 @@ inline void check_layers(const std::vector<std::string>& layers, SkyOrders order
     }
 }
 
+// Checks an asset of the air, and the layers whose light it may have.
+template <class Asset>
+void check_asset(const Asset& asset, const Parameters& parameters) {
+    require(parameters.atmosphere.ground_radius.meters > 0, "a sky has an atmosphere");
+    if constexpr (requires {
+                      asset.orders;
+                      asset.layers;
+                  }) {
+        check_layers(asset.layers, asset.orders, parameters);
+    }
+}
+
 inline void check_asset(const SkyViewBake& asset, const Parameters& parameters) {
-    require(parameters.atmosphere.ground_radius.meters > 0, "a sky has an atmosphere");
+    check_asset<>(asset, parameters);
     require(!asset.sun_elevations.empty() && asset.sun_elevations.size() <= 64, "suns");
-    check_layers(asset.layers, asset.orders, parameters);
-}
-
-inline void check_asset(const EnvironmentBake& asset, const Parameters& parameters) {
-    require(parameters.atmosphere.ground_radius.meters > 0, "a sky has an atmosphere");
-    check_layers(asset.layers, asset.orders, parameters);
-}
-
-inline void check_asset(const IrradianceBake& asset, const Parameters& parameters) {
-    require(parameters.atmosphere.ground_radius.meters > 0, "a sky has an atmosphere");
-    check_layers(asset.layers, asset.orders, parameters);
 }
 
 inline void check_asset(const AerialPerspectiveBake& asset, const Parameters& parameters) {
-    require(parameters.atmosphere.ground_radius.meters > 0, "a sky has an atmosphere");
+    check_asset<>(asset, parameters);
     require(holds_colors(parameters) || parameters.wavelengths.size() == 3 ||
                 asset.content != AerialContent::in_scatter_and_transmittance,
             "channels make a picture");
-    check_layers(asset.layers, asset.orders, parameters);
     check_files(asset, asset.size);
 }
 
@@ -195,11 +195,6 @@ inline void check_asset(const OpticalDepthBake& asset, const Parameters& paramet
     require(parameters.atmosphere.ground_radius.meters > 0, "columns are of an atmosphere");
     require(!asset.kinds.empty() && asset.kinds.size() <= 4, "a channel each");
     check_files(asset, asset.size);
-}
-
-template <class Asset>
-void check_asset(const Asset&, const Parameters& parameters) {
-    require(parameters.atmosphere.ground_radius.meters > 0, "a sky has an atmosphere");
 }
 
 }  // namespace skybake::config::fuzzing

@@ -60,50 +60,23 @@ std::string hash_of_exr(const fs::path& path) {
     return hasher.hex();
 }
 
-std::string hash_of_vdb(const fs::path& path, const ManifestAsset& asset,
-                        const ManifestFile& file) {
+// The values of each of some levels behind a line of its own; of sparse files with the places of the
+// values. Deflate's and zstd's bytes are those of the system's libraries, and TIFF files say of
+// themselves which release wrote them.
+std::string hash_of_values(const fs::path& path, const ManifestAsset& asset,
+                           const ManifestFile& file, const std::vector<std::string>& heads,
+                           bool with_places = false) {
     Hasher hasher;
-    for (const std::string& grid : file.grids) hasher.update(grid + "\n");
     const auto visit = [&](std::int64_t first, std::int64_t count, const float* values) {
-        hasher.update(fmt::format("{} {}\n", first, count));
+        if (with_places) hasher.update(fmt::format("{} {}\n", first, count));
         const auto floats = static_cast<std::size_t>(count) * asset.channels.size();
         hasher.update({reinterpret_cast<const char*>(values), floats * sizeof(float)});
         return true;
     };
-    EXPECT_TRUE(read_asset_file(path, asset, file, 0, visit).value.value_or(false)) << path;
-    return hasher.hex();
-}
-
-// Has the values of all channels hashed.
-VoxelVisitor into(Hasher& hasher, const ManifestAsset& asset) {
-    return [&hasher, channels = asset.channels.size()](std::int64_t, std::int64_t count,
-                                                       const float* values) {
-        const std::size_t bytes = static_cast<std::size_t>(count) * channels * sizeof(float);
-        hasher.update({reinterpret_cast<const char*>(values), bytes});
-        return true;
-    };
-}
-
-// Samples, as the image has them: deflate's bytes are those of the system's zlib.
-std::string hash_of_png(const fs::path& path, const ManifestAsset& asset,
-                        const ManifestFile& file) {
-    Hasher hasher;
-    hasher.update(
-        sheet_line(asset.levels[static_cast<std::size_t>(file.level)].size, *file.layout));
-    EXPECT_TRUE(read_asset_file(path, asset, file, 0, into(hasher, asset)).value.value_or(false))
-        << path;
-    return hasher.hex();
-}
-
-// Levels, as the file has them: zstd's bytes are those of the system's library, and TIFF files say of
-// themselves which release wrote them.
-std::string hash_of_levels(const fs::path& path, const ManifestAsset& asset,
-                           const ManifestFile& file) {
-    Hasher hasher;
-    for (int level = 0; level < file.levels; ++level) {
-        hasher.update(fmt::format("{}\n", level));
-        EXPECT_TRUE(
-            read_asset_file(path, asset, file, level, into(hasher, asset)).value.value_or(false))
+    for (std::size_t level = 0; level < heads.size(); ++level) {
+        hasher.update(heads[level]);
+        EXPECT_TRUE(read_asset_file(path, asset, file, static_cast<int>(level), visit)
+                        .value.value_or(false))
             << path;
     }
     return hasher.hex();
@@ -112,13 +85,25 @@ std::string hash_of_levels(const fs::path& path, const ManifestAsset& asset,
 std::string hash_of_stored(const fs::path& folder, const ManifestAsset& asset,
                            const ManifestFile& file) {
     const fs::path path = folder / file.path;
-    if (file.format == "exr") return hash_of_exr(path);
     const std::string& format = file.format;
-    if (format == "vdb" || format == "nvdb") return hash_of_vdb(path, asset, file);
-    if (format == "png" || format == "tga" || format == "hdr") {
-        return hash_of_png(path, asset, file);
+    if (format == "exr") return hash_of_exr(path);
+    if (format == "vdb" || format == "nvdb") {
+        std::string grids;
+        for (const std::string& grid : file.grids) grids += grid + "\n";
+        return hash_of_values(path, asset, file, {grids}, true);
     }
-    if (format == "ktx2" || format == "tif") return hash_of_levels(path, asset, file);
+    if (format == "png" || format == "tga" || format == "hdr") {
+        const auto level = static_cast<std::size_t>(file.level);
+        return hash_of_values(path, asset, file,
+                              {sheet_line(asset.levels[level].size, *file.layout)});
+    }
+    if (format == "ktx2" || format == "tif") {
+        std::vector<std::string> levels;
+        for (int level = 0; level < file.levels; ++level) {
+            levels.push_back(fmt::format("{}\n", level));
+        }
+        return hash_of_values(path, asset, file, levels);
+    }
     const std::set<std::string> bare = {"bin", "dds", "f32", "json", "npy", "usda", "vol"};
     EXPECT_TRUE(bare.contains(format)) << format;
     return xxh3_hex(read_bytes(path));

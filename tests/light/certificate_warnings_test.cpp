@@ -16,11 +16,7 @@
 namespace skybake {
 namespace {
 
-std::string codes_of(const std::vector<config::Diagnostic>& diagnostics) {
-    std::string codes;
-    for (const config::Diagnostic& one : diagnostics) codes += one.code + " ";
-    return codes;
-}
+using test::codes_of;
 
 Baked certified(const std::string& kind) {
     Baked baked;

@@ -88,35 +88,18 @@ size = [4, 2, 1]
 pixel_type = "float"
 )";
 
-struct Values {
-    std::vector<std::string> names;
-    std::vector<std::vector<double>> channels;
-};
-
-Values values_of(const Baked& volume) {
-    const Level& level = volume.levels.at(0);
-    Values values{volume.channel_names, {}};
-    for (const std::vector<float>& plane :
-         testing::planes_of(*level.voxels, {{}, level.size}, volume.channel_names.size())) {
-        values.channels.emplace_back(plane.begin(), plane.end());
-    }
-    return values;
-}
-
-Values baked(const config::Recipe& recipe, const config::Bake& bake) {
-    return values_of(
-        test::without_errors(bake_asset(recipe, bake, {.certification = Certification::off})));
+Baked baked(const config::Recipe& recipe, const config::Bake& bake) {
+    return test::without_errors(bake_asset(recipe, bake, {.certification = Certification::off}));
 }
 
 // Where the values of channel c of the straight order stand in the turned one.
-std::size_t place_in_turned(const Values& values, std::size_t c) {
+std::size_t place_in_turned(const std::vector<std::string>& names, std::size_t c) {
     const std::string letters = "RGB";
-    const std::size_t at = letters.find(values.names[c]);
+    const std::size_t at = letters.find(names[c]);
     if (at == std::string::npos) return c;  // of no wavelength
     const auto place = std::find(kTurned.places.begin(), kTurned.places.end(), at);
     const std::string name(1, letters[static_cast<std::size_t>(place - kTurned.places.begin())]);
-    return static_cast<std::size_t>(std::find(values.names.begin(), values.names.end(), name) -
-                                    values.names.begin());
+    return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
 }
 
 // Hillaire's closure: half of the mean radiance at the ground is the sky's, half the ground's, of its
@@ -144,17 +127,21 @@ TEST(Channels, ChangePlacesWithTheirValues) {
     const config::Recipe turned = test::recipe_of(atmosphere_of(kTurned) + kAssets);
     ASSERT_EQ(straight.parameters.bakes.size(), 8U);
     for (std::size_t i = 0; i < straight.parameters.bakes.size(); ++i) {
-        const Values before = baked(straight, straight.parameters.bakes[i]);
-        const Values after = baked(turned, turned.parameters.bakes[i]);
-        ASSERT_GE(before.channels.size(), 3U);
-        for (std::size_t c = 0; c < before.channels.size(); ++c) {
-            const std::vector<double>& a = before.channels[c];
-            const std::vector<double>& b = after.channels[place_in_turned(before, c)];
-            const double largest = *std::max_element(a.begin(), a.end());
+        const Baked straight_asset = baked(straight, straight.parameters.bakes[i]);
+        const std::vector<std::string>& names = straight_asset.channel_names;
+        const auto before = testing::planes_of(straight_asset);
+        const auto after = testing::planes_of(baked(turned, turned.parameters.bakes[i]));
+        ASSERT_GE(before.size(), 3U);
+        for (std::size_t c = 0; c < before.size(); ++c) {
+            const std::vector<float>& a = before[c];
+            const std::vector<float>& b = after[place_in_turned(names, c)];
+            const float largest = *std::max_element(a.begin(), a.end());
             EXPECT_GT(largest, 0);
             double off = 0;
-            for (std::size_t k = 0; k < a.size(); ++k) off = std::max(off, std::fabs(a[k] - b[k]));
-            EXPECT_LE(off, 1e-6 * largest) << "section " << i << ", channel " << before.names[c];
+            for (std::size_t k = 0; k < a.size(); ++k) {
+                off = std::max(off, std::fabs(double{a[k]} - double{b[k]}));
+            }
+            EXPECT_LE(off, 1e-6 * double{largest}) << "section " << i << ", channel " << names[c];
         }
     }
 }

@@ -96,14 +96,13 @@ TEST(SkyIrradiance, UnderManySunsIsThatUnderEach) {
 }
 
 TEST(SkyIrradiance, IsNothingAtTheTopInVacuumAndAtNight) {
-    const TestSky earth(test::preset_atmosphere("earth_hillaire"), SkyOrders::all);
-    EXPECT_EQ(sky_irradiances(earth.light(), 100, {0.5}, {6}).front(), Spectrum{});
+    EXPECT_EQ(sky_irradiances(test::earth().light(), 100, {0.5}, {6}).front(), Spectrum{});
     const TestSky vacuum(test::preset_atmosphere("vacuum"), SkyOrders::all);
     EXPECT_EQ(sky_irradiances(vacuum.light(), 0, {0.5}, {6}).front(), Spectrum{});
     const TestSky single(test::preset_atmosphere("earth_hillaire"), SkyOrders::single);
     EXPECT_EQ(sky_irradiances(single.light(), 0, {-1}, {6}).front(), Spectrum{});
     for (const double mu : {-1.0, -0.1, 0.0, 1e-12, 1.0}) {
-        const Spectrum irradiance = sky_irradiances(earth.light(), 0, {mu}, {6}).front();
+        const Spectrum irradiance = sky_irradiances(test::earth().light(), 0, {mu}, {6}).front();
         for (std::size_t c = 0; c < kMaxChannels; ++c) {
             EXPECT_TRUE(std::isfinite(irradiance[c]) && irradiance[c] >= 0) << mu;
         }
@@ -156,12 +155,7 @@ TEST(SkyIrradiance, HasAzimuthsForTheDegreeOfLightScatteredBefore) {
 // Light from the peaks around the sun is either the sky's or the sun's: their sum is that of air
 // in which peaks count as not scattered, by the same directions.
 TEST(SkyIrradiance, PeaksBelongToTheSkyOrToTheSun) {
-    const config::Atmosphere fog =
-        test::recipe_of(
-            "preset = 'earth_hillaire'\n[particles.drops]\npreset = 'fog'\n"
-            "[atmosphere.layers.fog]\nprofile = 'exponential'\nscale_height = '1 km'\n"
-            "phase = { mie = 'drops' }\nnumber_density = '0.5 /cm3'\n")
-            .parameters.atmosphere;
+    const config::Atmosphere fog = test::earth_with_drops().parameters.atmosphere;
     const SkyLight light(fog, SkyOrders::all, {}, {.threads = 2});
     ASSERT_TRUE(light.has_peaks());
     // Its sunlight passes through air without peaks.
@@ -184,12 +178,8 @@ TEST(SkyIrradiance, PeaksBelongToTheSkyOrToTheSun) {
 // For closed forms the peak is what moments up to a degree leave out: which degree that is, is no
 // matter of the light on the ground. Thin haze scatters hardly any light twice.
 TEST(SkyIrradiance, IsTheSameWhateverCountsAsPeak) {
-    const SkyMedium haze = make_sky_medium(
-        test::recipe_of("[atmosphere]\nground_radius = '6360 km'\ntop_radius = '6460 km'\n"
-                        "ground_albedo = 0\n[atmosphere.layers.haze]\nprofile = 'exponential'\n"
-                        "scale_height = '1 km'\nphase = 'henyey_greenstein'\ng = 0.97\n"
-                        "scattering = '0.02 /km'\nextinction = '0.02 /km'\n")
-            .parameters.atmosphere);
+    const SkyMedium haze =
+        test::haze_alone("g = 0.97\nscattering = '0.02 /km'\nextinction = '0.02 /km'\n");
     std::vector<double> sums;
     for (const int degree : {16, 32}) {
         const SkyLight light(delta_scaled(haze, degree), SkyOrders::all, nullptr);
@@ -254,12 +244,7 @@ TEST(Irradiance, LookupsThatAreFarOffAreWarnedOf) {
         const auto baked = test::bake_first(
             "preset = \"earth_hillaire\"\n[bake.irradiance]\ncontent = \"direct\"\n" + size);
         EXPECT_TRUE(baked.value);
-        std::string found;
-        for (const config::Diagnostic& diagnostic : baked.diagnostics) {
-            EXPECT_EQ(diagnostic.severity, config::Severity::warning);
-            found += diagnostic.code + " ";
-        }
-        return found;
+        return test::codes_of(baked.diagnostics);
     };
     EXPECT_EQ(codes("size = [2, 2]\n"), "W0214 ");
     EXPECT_EQ(codes(""), "");

@@ -22,11 +22,6 @@ config::Recipe earth(const std::string& section, const std::string& wavelengths)
     return recipe_of("preset = 'earth'\n" + section, {"wavelengths=" + wavelengths});
 }
 
-std::vector<std::vector<float>> texels_of(const Baked& baked) {
-    const Level& level = baked.levels.front();
-    return testing::planes_of(*level.voxels, {{}, level.size}, baked.channel_names.size());
-}
-
 std::vector<std::string> names(std::size_t channels) {
     return channels == 4 ? std::vector<std::string>{"R", "G", "B", "A"}
                          : std::vector<std::string>{"R", "G"};
@@ -61,8 +56,8 @@ TEST(PacketsOfTables, AreTheTablesOfTheirWavelengthsBitForBit) {
             const Baked alone = bakes.baked(one, one.parameters.bakes.at(0));
             EXPECT_EQ(part.channel_names, names(packet == 0 ? 4 : 2)) << section;
             EXPECT_EQ(part.conventions.wavelengths_nm, alone.conventions.wavelengths_nm);
-            texels.push_back(texels_of(part));
-            EXPECT_EQ(texels.back(), texels_of(alone)) << section << packet;
+            texels.push_back(testing::planes_of(part));
+            EXPECT_EQ(texels.back(), testing::planes_of(alone)) << section << packet;
         }
         // The wavelengths differ by more than rounding.
         EXPECT_NE(texels[0][0], texels[1][0]) << section;
@@ -97,11 +92,11 @@ TEST(PacketsOfTables, AddUpToColours) {
     const Baked color = bakes.baked(colors, colors.parameters.bakes.at(0));
     const config::Recipe recipe = earth(section + "space = 'none'\n", kAll);
     ASSERT_EQ(recipe.parameters.bakes.size(), 2u);
-    const auto wanted = texels_of(color);
+    const auto wanted = testing::planes_of(color);
     std::vector<std::vector<double>> sum(3, std::vector<double>(wanted[0].size()));
     for (std::size_t packet = 0; packet < 2; ++packet) {
         const Baked part = bakes.baked(recipe, recipe.parameters.bakes.at(packet));
-        const auto light = texels_of(part);
+        const auto light = testing::planes_of(part);
         const std::vector<double>& weights = part.conventions.color->weights;
         ASSERT_EQ(weights.size(), 3 * light.size());
         for (std::size_t w = 0; w < light.size(); ++w) {

@@ -22,7 +22,6 @@ using test::kDegree;
 
 constexpr double kRadius = 6360;
 constexpr double kThickness = 100;
-const std::vector<double> kRayleigh = {5.802e-3, 1.3558e-2, 3.31e-2};  // 1/km
 
 // Rayleigh's air, and a layer of Henyey and Greenstein's phase function.
 std::string recipe(const std::string& profile, const std::string& scattering, double g,
@@ -37,9 +36,10 @@ std::string recipe(const std::string& profile, const std::string& scattering, do
         g, profile, scattering, bakes);
 }
 
-test::PlainAir plain_air(std::size_t channel, const test::PlainLayer& fog) {
+// In red, which the air above dims least.
+test::PlainAir plain_air(const test::PlainLayer& fog) {
     test::PlainLayer air;
-    air.scattering = kRayleigh[channel];
+    air.scattering = 5.802e-3;
     air.scale_height = 8;
     air.rayleigh = true;
     return {kRadius, kRadius + kThickness, {air, fog}};
@@ -58,34 +58,32 @@ Errors errors_of(const config::Recipe& recipe, const test::PlainLayer& fog) {
     const Baked baked = test::SharedBakes().baked(recipe, bake);
     const Image2<float>& image = baked.image();
     const SkyViewCamera camera({kRadius, kThickness}, asset.altitude.kilometers());
+    const test::PlainAir air = plain_air(fog);
     Errors errors;
     int count = 0;
     for (std::size_t sun = 0; sun < asset.sun_elevations.size(); ++sun) {
         const double sun_zenith = 90 * kDegree - asset.sun_elevations[sun].radians;
-        for (const int c : {0}) {  // red, which the air above dims least
-            const test::PlainAir air = plain_air(static_cast<std::size_t>(c), fog);
-            std::vector<std::array<double, 2>> pairs;  // found, right
-            for (int y = 0; y < asset.size[1]; ++y) {
-                // On its side of the horizon.
-                const double v = camera.off_the_edges(static_cast<double>(y) / (asset.size[1] - 1));
-                const double zenith = 90 * kDegree - (camera.angle_at(v) - camera.dip());
-                for (int x = 0; x < asset.size[0]; ++x) {
-                    const double azimuth = 180 * kDegree * x / (asset.size[0] - 1);
-                    const int row = static_cast<int>(sun) * asset.size[1] + y;
-                    if (v != static_cast<double>(y) / (asset.size[1] - 1)) continue;
-                    pairs.push_back({image.texel(x, row)[c], static_cast<double>(air.radiance(
-                                                                 asset.altitude.kilometers(),
-                                                                 zenith, azimuth, sun_zenith))});
-                }
+        std::vector<std::array<double, 2>> pairs;  // found, right
+        for (int y = 0; y < asset.size[1]; ++y) {
+            // On its side of the horizon.
+            const double v = camera.off_the_edges(static_cast<double>(y) / (asset.size[1] - 1));
+            const double zenith = 90 * kDegree - (camera.angle_at(v) - camera.dip());
+            for (int x = 0; x < asset.size[0]; ++x) {
+                const double azimuth = 180 * kDegree * x / (asset.size[0] - 1);
+                const int row = static_cast<int>(sun) * asset.size[1] + y;
+                if (v != static_cast<double>(y) / (asset.size[1] - 1)) continue;
+                pairs.push_back({image.texel(x, row)[0],
+                                 static_cast<double>(air.radiance(asset.altitude.kilometers(),
+                                                                  zenith, azimuth, sun_zenith))});
             }
-            double brightest = 0;
-            for (const auto& [found, right] : pairs) brightest = std::max(brightest, right);
-            for (const auto& [found, right] : pairs) {
-                const double error = (found - right) / std::max(right, 1e-3 * brightest);
-                errors.rms += error * error;
-                errors.largest = std::max(errors.largest, std::fabs(error));
-                ++count;
-            }
+        }
+        double brightest = 0;
+        for (const auto& [found, right] : pairs) brightest = std::max(brightest, right);
+        for (const auto& [found, right] : pairs) {
+            const double error = (found - right) / std::max(right, 1e-3 * brightest);
+            errors.rms += error * error;
+            errors.largest = std::max(errors.largest, std::fabs(error));
+            ++count;
         }
     }
     errors.rms = std::sqrt(errors.rms / count);
@@ -120,8 +118,7 @@ TEST(SingleScattering, LightsTheSkinOfFogWithAHardTop) {
 TEST(SingleScattering, SmoothAirHasNoSkins) {
     for (const char* preset : {"earth", "earth_hillaire", "earth_bruneton", "earth_urban_haze",
                                "mars", "tiny_planet", "dense_earth"}) {
-        EXPECT_TRUE(lit_skins(make_medium(test::preset_atmosphere(preset))).layers.empty())
-            << preset;
+        EXPECT_TRUE(lit_skins(test::preset_medium(preset)).layers.empty()) << preset;
     }
 }
 
@@ -162,12 +159,7 @@ TEST(SingleScattering, AddsUpWithTheRest) {
             orders);
     };
     for (const char* orders : {"single", "multiple", "all"}) bakes += sections(orders);
-    // Droplets, half of whose light goes into their peak.
-    const config::Recipe peaked = test::recipe_of(
-        "preset = 'earth_hillaire'\n[particles.drops]\npreset = 'fog'\n"
-        "[atmosphere.layers.fog]\nprofile = 'exponential'\nscale_height = '1 km'\n"
-        "phase = { mie = 'drops' }\nnumber_density = '0.5 /cm3'\n" +
-        bakes);
+    const config::Recipe peaked = test::earth_with_drops(bakes);
     test::SharedBakes shared;
     std::vector<Baked> made;
     for (const config::Bake& bake : peaked.parameters.bakes) {

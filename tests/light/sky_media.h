@@ -20,11 +20,6 @@ namespace skybake::test {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-inline config::Atmosphere preset_atmosphere(const std::string& name,
-                                            const std::vector<std::string>& settings = {}) {
-    return recipe_of("preset = \"" + name + "\"\n", settings).parameters.atmosphere;
-}
-
 inline double uniform(double from, double to) {
     return from + (to - from) * *rc::gen::inRange(0, 1 << 30) / static_cast<double>(1 << 30);
 }
@@ -71,6 +66,26 @@ inline config::Atmosphere random_atmosphere() {
     });
 }
 
+// Earth with drops, half of whose light goes into their peak.
+inline config::Recipe earth_with_drops(const std::string& more = "",
+                                       const std::string& number_density = "0.5 /cm3",
+                                       const std::string& kind = "fog") {
+    return recipe_of("preset = 'earth_hillaire'\n[particles.drops]\npreset = '" + kind +
+                     "'\n[atmosphere.layers.fog]\nprofile = 'exponential'\n"
+                     "scale_height = '1 km'\nphase = { mie = 'drops' }\nnumber_density = '" +
+                     number_density + "'\n" + more);
+}
+
+// Haze over black ground, and no air.
+inline SkyMedium haze_alone(const std::string& keys) {
+    return make_sky_medium(
+        recipe_of("[atmosphere]\nground_radius = '6360 km'\ntop_radius = '6460 km'\n"
+                  "ground_albedo = 0\n[atmosphere.layers.haze]\nprofile = 'exponential'\n"
+                  "scale_height = '1 km'\nphase = 'henyey_greenstein'\n" +
+                  keys)
+            .parameters.atmosphere);
+}
+
 // The light of an atmosphere with higher orders that are smooth and cost nothing.
 class TestSky {
   public:
@@ -95,11 +110,6 @@ class TestSky {
 inline const TestSky& earth() {
     static const TestSky sky(preset_atmosphere("earth_hillaire"), config::SkyOrders::all);
     return sky;
-}
-
-inline SkyMedium preset_sky(const std::string& name,
-                            const std::vector<std::string>& settings = {}) {
-    return make_sky_medium(preset_atmosphere(name, settings));
 }
 
 }  // namespace skybake::test

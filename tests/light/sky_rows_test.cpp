@@ -168,12 +168,11 @@ RC_GTEST_PROP(SkyRow, IsWhatItsRaysAreInAnyAtmosphere, ()) {
 }
 
 TEST(SkyRow, HasTheSameLightFromAllSidesUnderASunAtTheZenith) {
-    const TestSky sky(test::preset_atmosphere("earth_hillaire"), SkyOrders::all);
-    const SkyViewCamera camera(sky.light().shell(), 0.5);
+    const SkyViewCamera camera(earth().light().shell(), 0.5);
     const SunZenith sun = sun_at_elevation(90 * kDegree);
     const auto ray_at = [&](double cosine) { return camera.ray(0.7, sun, cosine); };
-    const SkyRow row(sky.light().integrator(), sky.light().medium(), sky.light().higher_orders(),
-                     ray_at(1), &sky.light().sunlight());
+    const SkyRow row(earth().light().integrator(), earth().light().medium(),
+                     earth().light().higher_orders(), ray_at(1), &earth().light().sunlight());
     const std::vector<SkyRadiance> radiance = row.radiance(ray_at, azimuths(24));
     for (const SkyRadiance& value : radiance) {
         EXPECT_NEAR(value.total()[2], radiance[0].total()[2], 1e-13);
@@ -215,10 +214,9 @@ RC_GTEST_PROP(SkyRow, PartsOfTheLightAddUp, ()) {
 }
 
 TEST(SkyIntegrator, AddsUpAlongARay) {
-    const TestSky sky(test::preset_atmosphere("earth_hillaire"), SkyOrders::all);
     const SunZenith sun = sun_at_elevation(3 * kDegree);
-    const SkyRay ray = SkyViewCamera(sky.light().shell(), 2).ray(0.55, sun, 0.9);
-    const SkyIntegrator& integrator = sky.light().integrator();
+    const SkyRay ray = SkyViewCamera(earth().light().shell(), 2).ray(0.55, sun, 0.9);
+    const SkyIntegrator& integrator = earth().light().integrator();
     const double half = ray.length_km / 2;
     const auto parts = integrator.up_to(ray, {0, half, half, ray.length_km});
     EXPECT_EQ(parts[0].single[0], 0);
@@ -304,15 +302,14 @@ RC_GTEST_PROP(WideRow, IsTheRowInAnyAir, ()) {
 
 // Any order, the same azimuth more than once, and both ends.
 TEST(WideRow, TakesAnyAzimuths) {
-    const TestSky sky(test::preset_atmosphere("earth_hillaire"), SkyOrders::all);
-    const SkyViewCamera camera(sky.light().shell(), 1);
+    const SkyViewCamera camera(earth().light().shell(), 1);
     const SunZenith sun = sun_at_elevation(10 * kDegree);
     std::vector<double> azimuths = {1, 0, 0.5, 0.5, 1};
-    EXPECT_LT(error_of(sky.light(), camera, 0.7, sun, azimuths), 1e-12);
+    EXPECT_LT(error_of(earth().light(), camera, 0.7, sun, azimuths), 1e-12);
     for (int i = 0; i < 100; ++i) azimuths.push_back(std::fmod(0.618034 * i, 1));
     for (int i = 0; i < 50; ++i) azimuths.push_back(azimuths[static_cast<std::size_t>(7 * i % 60)]);
-    EXPECT_LT(error_of(sky.light(), camera, 0.7, sun, azimuths), 2e-5);
-    EXPECT_EQ(error_of(sky.light(), camera, 0.7, sun, {}), 0);
+    EXPECT_LT(error_of(earth().light(), camera, 0.7, sun, azimuths), 2e-5);
+    EXPECT_EQ(error_of(earth().light(), camera, 0.7, sun, {}), 0);
 }
 
 }  // namespace

@@ -34,8 +34,8 @@ config::Outcome<Baked> bake(const SkyLight& light, const config::SkyViewBake& as
 }
 
 TEST(SkyViewTable, HoldsWhatTheIntegratorSees) {
-    const TestSky sky(test::preset_atmosphere("earth_hillaire"), SkyOrders::all);
-    const auto baked = bake(sky.light(), bake_of({48, 36}, 0.5, {30, -4}), Certification::quick);
+    const auto baked =
+        bake(test::earth().light(), bake_of({48, 36}, 0.5, {30, -4}), Certification::quick);
     ASSERT_TRUE(baked.value);
     const Certificate& certificate = baked.value->certificate;
     EXPECT_LT(certificate.texel.max, 5e-3);
@@ -75,9 +75,8 @@ TEST(SkyViewTable, SaysWhereLightCameOutNegative) {
 }
 
 TEST(SkyViewTable, StacksTheTablesOfItsSuns) {
-    const TestSky sky(test::preset_atmosphere("earth_hillaire"), SkyOrders::all);
-    const auto both = bake(sky.light(), bake_of({8, 6}, 0.5, {30, 5}));
-    const auto second = bake(sky.light(), bake_of({8, 6}, 0.5, {5}));
+    const auto both = bake(test::earth().light(), bake_of({8, 6}, 0.5, {30, 5}));
+    const auto second = bake(test::earth().light(), bake_of({8, 6}, 0.5, {5}));
     ASSERT_TRUE(both.value && second.value);
     const Image2<float>& stack = both.value->image();
     const Image2<float>& alone = second.value->image();
@@ -111,9 +110,8 @@ TEST(SkyViewTable, IsBlackWithoutAirButForTheGround) {
     const auto single = bake(sky.light(), bake_of({4, 4}, 1, {30, -30}));
     ASSERT_TRUE(single.value);
     for (const float texel : single.value->image().texels) EXPECT_EQ(texel, 0);
-    const SkyLight lit(
-        make_sky_medium(test::preset_atmosphere("vacuum", {"atmosphere.ground_albedo=0.5"})),
-        SkyOrders::all, nullptr);
+    const SkyLight lit(test::preset_sky("vacuum", {"atmosphere.ground_albedo=0.5"}), SkyOrders::all,
+                       nullptr);
     const auto all = bake(lit, bake_of({4, 4}, 0, {30}));
     ASSERT_TRUE(all.value);
     EXPECT_NEAR(*all.value->image().texel(1, 0), 0.5 / std::numbers::pi * 0.5, 1e-7);
@@ -121,10 +119,10 @@ TEST(SkyViewTable, IsBlackWithoutAirButForTheGround) {
 }
 
 TEST(SkyViewTable, TakesAnySizeCameraAndSun) {
-    const TestSky sky(test::preset_atmosphere("earth_hillaire"), SkyOrders::all);
     for (const std::array<int, 2> size : {std::array<int, 2>{1, 1}, {2, 2}, {3, 5}, {1, 4}}) {
         for (const double altitude : {0.0, 1e-3, 99.9999, 100.0, 100.0001, 1000.0, 1e6}) {
-            const auto baked = bake(sky.light(), bake_of(size, altitude, {90, 0, -6, -90}));
+            const auto baked =
+                bake(test::earth().light(), bake_of(size, altitude, {90, 0, -6, -90}));
             ASSERT_TRUE(baked.value) << altitude;
             for (const float texel : baked.value->image().texels) {
                 EXPECT_TRUE(std::isfinite(texel) && texel >= 0) << altitude;
@@ -134,9 +132,8 @@ TEST(SkyViewTable, TakesAnySizeCameraAndSun) {
 }
 
 TEST(SkyViewTable, IsContinuousWhereTheCameraMoves) {
-    const TestSky sky(test::preset_atmosphere("earth_hillaire"), SkyOrders::all);
     const auto view = [&](double altitude) {
-        return bake(sky.light(), bake_of({4, 8}, altitude, {20})).value->image();
+        return bake(test::earth().light(), bake_of({4, 8}, altitude, {20})).value->image();
     };
     const Image2<float> ground = view(0);
     const Image2<float> above = view(1e-6);

@@ -7,9 +7,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <fstream>
 #include <functional>
-#include <sstream>
 #include <string>
 
 #include "bakers/assets/occupancy/occupancy_grid.h"
@@ -20,7 +18,8 @@
 #include "bakers/occupancy/occupied_cells.h"
 #include "config/assets/occupancy_filter.h"
 #include "config/recipe/recipe.h"
-#include "tests/occupancy/volumes_in_memory.h"
+#include "tests/occupancy/distance_trial.h"
+#include "tests/support/number_rows.h"
 #include "tests/support/volumes.h"
 
 namespace skybake::occupancy {
@@ -33,23 +32,6 @@ struct Ray {
     std::array<double, 3> origin{};
     std::array<double, 3> direction{};
 };
-
-std::vector<Ray> rays_of_file(const std::string& name) {
-    std::ifstream file(SKYBAKE_TEST_DATA "/rays_" + name + ".csv");
-    std::string line;
-    std::getline(file, line);  // the columns' names
-    std::vector<Ray> rays;
-    while (std::getline(file, line)) {
-        std::replace(line.begin(), line.end(), ',', ' ');
-        std::istringstream numbers(line);
-        Ray ray;
-        for (double& x : ray.origin) numbers >> x;
-        for (double& x : ray.direction) numbers >> x;
-        EXPECT_TRUE(numbers) << line;
-        rays.push_back(ray);
-    }
-    return rays;
-}
 
 // What a march made of a ray.
 struct Found {
@@ -235,7 +217,9 @@ TEST(Marcher, SkipsMoreThanTheRuleOfTheThesis) {
         double straight = 0;
         double of_thesis = 0;
         double leaps = 0;
-        for (const Ray& ray : rays_of_file(name)) {
+        for (const auto& v : test::number_rows(SKYBAKE_TEST_DATA "/rays_" + name + ".csv")) {
+            ASSERT_EQ(v.size(), 6U);
+            const Ray ray = {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
             const SampledRay samples = sampled(ray, {600, 600, 600}, volume, 500, 1);
             const Found found = marcher.by_leaps(samples);
             EXPECT_EQ(found.sum, marcher.straight(samples).sum);
@@ -261,17 +245,11 @@ Volume volume_where(const std::function<bool(int, int, int)>& has_cloud) {
 }
 
 SkippingGain gain_of(const Volume& volume, int threads = 1) {
-    VoxelBits bits(kVoxels);
-    for (int z = 0; z < kVoxels[2]; ++z) {
-        for (int y = 0; y < kVoxels[1]; ++y) {
-            bits.set_row(y, z, &volume.voxels[index_of(kVoxels, 0, y, z)], 0);
-        }
-    }
     const std::vector<std::uint8_t> leaps = leap_distance(occupied_cells(
         cell_ranges(volume.voxels.data(), volume.grid, config::OccupancyFilter::trilinear), 0));
     const LeapCells cells{volume.grid, leaps};
-    return skipping_gain(bits, kVoxel_m, config::OccupancyFilter::trilinear, cells,
-                         {.threads = threads});
+    return skipping_gain(test::bits_of(volume, 0), kVoxel_m, config::OccupancyFilter::trilinear,
+                         cells, {.threads = threads});
 }
 
 // Cosines from 1 to 1/2, all as often, have the mean 2 log(2) of their inverse.

@@ -45,13 +45,13 @@ double worst_depth(const SkyMedium& medium, int points) {
 
 TEST(AirShells, DepthsAreExact) {
     for (const std::string& preset : test::preset_list()) {
-        EXPECT_LT(worst_depth(test::sky_medium(preset), 20000), 2e-7) << preset;
+        EXPECT_LT(worst_depth(test::preset_sky(preset), 20000), 2e-7) << preset;
     }
 }
 
 TEST(AirShells, DepthsAreExactWhereLayersAreSharp) {
     const SkyMedium fog =
-        test::sky_medium("earth_hillaire",
+        test::preset_sky("earth_hillaire",
                          {"atmosphere.layers.fog={profile=\"slab\", bottom_altitude=\"0 m\", "
                           "top_altitude=\"1 m\", scattering=\"0.2 /m\"}",
                           "atmosphere.layers.veil={profile=\"slab\", bottom_altitude=\"10 km\", "
@@ -81,13 +81,13 @@ RC_GTEST_PROP(AirShellsOfRandomAir, DepthsAreExact, ()) {
         "atmosphere.layers.tent={profile=\"tent\", scattering=\"1e-5 /m\", "
         "center_altitude=" +
         km(center) + ", half_width=" + km(thickness * power_of_ten(-2, 0)) + "}");
-    const SkyMedium medium = test::sky_medium("vacuum", settings);
+    const SkyMedium medium = test::preset_sky("vacuum", settings);
     RC_ASSERT(worst_depth(medium, 300) < 1e-6);
 }
 
 TEST(AirShells, PointsAreFoundByTheirDepth) {
     for (const char* preset : {"earth_hillaire", "tiny_planet", "dense_earth"}) {
-        const SkyMedium medium = test::sky_medium(preset);
+        const SkyMedium medium = test::preset_sky(preset);
         const AirShells air(medium);
         for (int i = 0; i < 5000; ++i) {
             const AirShells::Point start = point_of(air, i);
@@ -108,7 +108,7 @@ TEST(AirShells, PointsAreFoundByTheirDepth) {
 }
 
 TEST(AirShells, SunlightEndsAtTheShadowOfThePlanet) {
-    const SkyMedium medium = test::sky_medium("earth_hillaire");
+    const SkyMedium medium = test::preset_sky("earth_hillaire");
     const AirShells air(medium);
     for (const double altitude : {0.0, 0.001, 1.0, 25.0, 99.9}) {
         const double horizon = horizon_distance_km(air.planet(), altitude);

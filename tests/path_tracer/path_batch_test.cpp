@@ -124,7 +124,7 @@ std::vector<Scene> scenes() {
     std::vector<Scene> list;
     // Suns and views at each height over the horizon and below it, and the ground of each albedo.
     for (const std::string& preset : test::preset_list()) {
-        const SkyMedium medium = test::sky_medium(preset);
+        const SkyMedium medium = test::preset_sky(preset);
         const double top = medium.air.thickness_km;
         PathRules known;
         known.usual_weight = Spectrum(0.02);
@@ -137,7 +137,7 @@ std::vector<Scene> scenes() {
     PathSource sky;
     sky.ambient = true;
     list.push_back({"furnace", furnace, sky, {}, view_at(0, 80)});
-    const SkyMedium earth = test::sky_medium("earth");
+    const SkyMedium earth = test::preset_sky("earth");
     list.push_back({"a sun with a disc", earth, sun_at(89.9, 0.005), {}, view_at(0, 85)});
     PathRules partial;
     partial.counts_first_order = false;
@@ -147,14 +147,14 @@ std::vector<Scene> scenes() {
     list.push_back({"part of a ray", earth, sun_at(70), partial, part});
     list.push_back(
         {"one wavelength",
-         test::sky_medium("earth_hillaire", {"wavelengths=[\"550 nm\"]",
+         test::preset_sky("earth_hillaire", {"wavelengths=[\"550 nm\"]",
                                              "atmosphere.layers.rayleigh.scattering=\"13.6e-6 /m\"",
                                              "atmosphere.layers.ozone.absorption=\"1.9e-6 /m\""}),
          sun_at(50),
          {},
          view_at(1, 60)});
     list.push_back({"haze that scatters back",
-                    test::sky_medium("earth_hillaire", {"atmosphere.layers.mie.g=-0.9"}),
+                    test::preset_sky("earth_hillaire", {"atmosphere.layers.mie.g=-0.9"}),
                     sun_at(50),
                     {},
                     view_at(1, 60)});
@@ -196,7 +196,7 @@ TEST(PathBatch, WalksAsPathsWalkSingly) {
 // A path does not depend on the others of its batch.
 TEST(PathBatch, MayHaveAnyNumberOfPaths) {
     constexpr std::size_t kPaths = BatchNumbers::kPaths;
-    const Scene scene = {"earth", test::sky_medium("earth"), sun_at(85), {}, view_at(0, 88)};
+    const Scene scene = {"earth", test::preset_sky("earth"), sun_at(85), {}, view_at(0, 88)};
     const PathMedium medium(scene.medium);
     const std::vector<PathResult> all = walk_singly(medium, scene, nullptr, kPaths);
     EXPECT_GT(sum_of(all).orders[5][0], 0);

@@ -1,23 +1,20 @@
 // Media and views that tests of the path tracer share.
 #pragma once
 
+#include <gtest/gtest.h>
+
+#include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "bakers/light/path_tracer/path_tracer.h"
 #include "bakers/math/transcendental.h"
 #include "tests/support/atmospheres.h"
+#include "tests/support/number_rows.h"
+#include "tests/support/sky_truth.h"
 
 namespace skybake::test {
-
-inline SkyMedium sky_medium(const std::string& preset,
-                            const std::vector<std::string>& settings = {}) {
-    return make_sky_medium(
-        recipe_of("preset = \"" + preset + "\"\n", settings).parameters.atmosphere);
-}
 
 // Earth's Rayleigh and Mie layers alone, without absorption, over white ground; coefficients are
 // multiplied by `factor`.
@@ -34,7 +31,7 @@ inline SkyMedium white_furnace(double factor, const std::string& mie_g = "0.8",
         "atmosphere.layers.mie.scattering=" + mie, "atmosphere.layers.mie.extinction=" + mie,
         "atmosphere.layers.mie.g=" + mie_g};
     if (planet == "earth_hillaire") settings.push_back("atmosphere.layers.ozone.enabled=false");
-    return sky_medium(planet, settings);
+    return preset_sky(planet, settings);
 }
 
 inline double cosine_of_degrees(double angle) { return cosine_of_pi(angle / 180); }
@@ -99,11 +96,19 @@ struct Agreement {
     double mean() const { return chi_square / count; }
 };
 
-inline std::string file_text(const std::string& path) {
-    std::ifstream file(path);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
+// A file of sky_truth_csv's, as tests/data has them.
+inline std::vector<SkyTruth> sky_truth_of(const std::string& path) {
+    std::vector<SkyTruth> truths;
+    for (const std::vector<double>& row : number_rows(path)) {
+        EXPECT_EQ(row.size(), 13U) << path;
+        truths.push_back({{row.at(0), row.at(1), row.at(2), row.at(3)},
+                          static_cast<int>(row.at(4)),
+                          {},
+                          row.at(11),
+                          row.at(12)});
+        std::copy_n(row.begin() + 5, kPathOrders, truths.back().orders.begin());
+    }
+    return truths;
 }
 
 }  // namespace skybake::test

@@ -53,7 +53,7 @@ TEST(PathTracerHardCase, Case06DenseAir) {
          test::furnace_deviation(trace_ambient_paths(PathTracer(thousand), 30, -0.5, paths(64), 1),
                                  3),
          kFourDeviations);
-    const SkyMedium dense = sky_medium("dense_earth", {"atmosphere.ground_albedo=1"});
+    const SkyMedium dense = preset_sky("dense_earth", {"atmosphere.ground_albedo=1"});
     const PathTracer tracer(dense);
     double bad = 0;
     for (const double sun : {0.0, 80.0, 95.0}) {
@@ -96,7 +96,7 @@ TEST(PathTracerHardCase, Case08ExtremePhaseFunctions) {
          worst, 4);
     hold("8 g = 0.999 in 10x air, paths", "white furnace, standard errors",
          worst_furnace(test::white_furnace(10, "0.999"), 1000), kFourDeviations);
-    const SkyMedium peaked = sky_medium("earth_hillaire", {"atmosphere.layers.mie.g=0.999"});
+    const SkyMedium peaked = preset_sky("earth_hillaire", {"atmosphere.layers.mie.g=0.999"});
     const PathTracer tracer(peaked);
     double bad = 0;
     for (const double zenith : {60.0, 60.1, 120.0}) {
@@ -121,7 +121,7 @@ TEST(PathTracerHardCase, Case08Spheres) {
 }
 
 TEST(PathTracerHardCase, Case09NoAirAndNoScattering) {
-    const SkyMedium vacuum = sky_medium("vacuum", {"atmosphere.ground_albedo=0.7"});
+    const SkyMedium vacuum = preset_sky("vacuum", {"atmosphere.ground_albedo=0.7"});
     const PathTracer tracer(vacuum);
     double error = 0;
     for (const bool walked : {false, true}) {
@@ -141,7 +141,7 @@ TEST(PathTracerHardCase, Case09NoAirAndNoScattering) {
     hold("9 no air: black sky, ground albedo mu_s / pi, once", "closed form, relative", error,
          1e-13);
     // Ozone alone takes light and gives none.
-    const SkyMedium ozone = sky_medium(
+    const SkyMedium ozone = preset_sky(
         "earth_hillaire", {"atmosphere.layers.rayleigh.enabled=false",
                            "atmosphere.layers.mie.enabled=false", "atmosphere.ground_albedo=1"});
     PathTracerSettings settings = paths(2000);
@@ -152,7 +152,7 @@ TEST(PathTracerHardCase, Case09NoAirAndNoScattering) {
 }
 
 TEST(PathTracerHardCase, Case13SunBelowTheHorizon) {
-    const SkyMedium earth = sky_medium("earth_hillaire");
+    const SkyMedium earth = preset_sky("earth_hillaire");
     const PathTracer tracer(earth);
     const PathTracedRadiance night = trace(tracer, view_at(0, 140, 30, 0), paths(2000));
     hold("13 midnight, paths", "exactly 0",
@@ -165,7 +165,7 @@ TEST(PathTracerHardCase, Case13SunBelowTheHorizon) {
 }
 
 TEST(PathTracerHardCase, Case15CameraAtGroundAndTop) {
-    const SkyMedium earth = sky_medium("earth_hillaire");
+    const SkyMedium earth = preset_sky("earth_hillaire");
     const PathTracer tracer(earth);
     PathTracerSettings settings = paths(20000);
     const PathTracedRadiance at = trace(tracer, view_at(0, 50, 150, 30), settings);
@@ -215,7 +215,7 @@ TEST(PathTracerHardCase, Case20DensitiesOfEveryLayerCombination) {
         for (unsigned k = 0; k < 4; ++k) {
             if (chosen & (1U << k)) settings.emplace_back(layers[k]);
         }
-        const SkyMedium medium = sky_medium("earth_hillaire", settings);
+        const SkyMedium medium = preset_sky("earth_hillaire", settings);
         const AirShells air(medium);
         const Spectrum largest = extinction_at(medium.air, 0);
         for (int i = 0; i < 20000; ++i) {

@@ -22,7 +22,7 @@ TEST(PathTracerLong, WhiteFurnaceOfTenMillionPaths) {
 
 // Halved standard errors for four times the paths, on all directions: no single path weighs much.
 TEST(PathTracerLong, ErrorsFallAsTheyShould) {
-    const SkyMedium medium = test::sky_medium(
+    const SkyMedium medium = test::preset_sky(
         "earth_hillaire", {"atmosphere.ground_albedo=0", "atmosphere.layers.mie.g=0.95"});
     const auto directions = sky_truth_directions(0.5);
     const auto few = trace_sky_truth(medium, directions, {1, 20000}, 0);

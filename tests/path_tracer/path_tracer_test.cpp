@@ -95,7 +95,7 @@ TEST(PathTracer, AbsorptionDarkensTheFurnace) {
     double before = 1;
     for (const char* albedo : {"0.9", "0.5", "0"}) {
         const SkyMedium medium =
-            sky_medium("earth_hillaire", {std::string("atmosphere.ground_albedo=") + albedo});
+            preset_sky("earth_hillaire", {std::string("atmosphere.ground_albedo=") + albedo});
         const PathTracedRadiance radiance =
             trace_ambient_paths(PathTracer(medium), 0.5, -1, paths(20000), 1);
         EXPECT_LT(radiance.radiance[1] + 4 * radiance.standard_error[1], before) << albedo;
@@ -108,7 +108,7 @@ TEST(PathTracer, FirstOrderIsSingleScattering) {
     test::Agreement agreement;
     std::uint32_t ray = 0;
     for (const char* preset : {"earth_hillaire", "mars_rgb", "tiny_planet", "dense_earth"}) {
-        const SkyMedium medium = sky_medium(preset);
+        const SkyMedium medium = preset_sky(preset);
         const PathTracer tracer(medium);
         const SkyIntegrator integrator(medium, nullptr);
         for (const auto& [altitude, sun, zenith, azimuth] : {std::array{0.0, 40.0, 30.0, 50.0},
@@ -140,7 +140,7 @@ TEST(PathTracer, FirstOrderIsSingleScattering) {
 }
 
 TEST(PathTracer, OrdersAddUp) {
-    const SkyMedium medium = sky_medium("earth_hillaire");
+    const SkyMedium medium = preset_sky("earth_hillaire");
     const PathTracedRadiance radiance =
         trace(PathTracer(medium), view_at(0.5, 60, 75, 90), paths(5000));
     for (std::size_t c = 0; c < 3; ++c) {
@@ -159,13 +159,13 @@ TEST(PathTracer, ChannelsDoNotDisturbEachOther) {
     const char* scattering[] = {"2.901e-4 /m", "6.779e-4 /m", "1.655e-3 /m"};
     const char* absorption[] = {"0.65e-6 /m", "1.881e-6 /m", "0.085e-6 /m"};
     const char* albedo[] = {"0.05", "0.9", "0.4"};
-    const SkyMedium all = sky_medium("dense_earth", {"atmosphere.ground_albedo=[0.05, 0.9, 0.4]"});
+    const SkyMedium all = preset_sky("dense_earth", {"atmosphere.ground_albedo=[0.05, 0.9, 0.4]"});
     test::Agreement agreement;
     for (const auto& [sun, zenith] : {std::pair{30.0, 60.0}, {85.0, 20.0}, {60.0, 120.0}}) {
         const test::View view = view_at(5, sun, zenith, 70);
         const PathTracedRadiance shared = trace(PathTracer(all), view, paths(5000, 1));
         for (std::size_t c = 0; c < 3; ++c) {
-            const SkyMedium single = sky_medium(
+            const SkyMedium single = preset_sky(
                 "dense_earth",
                 {"wavelengths=[\"550 nm\"]", std::string("atmosphere.ground_albedo=") + albedo[c],
                  std::string("atmosphere.layers.rayleigh.scattering=\"") + scattering[c] + "\"",
@@ -182,7 +182,7 @@ TEST(PathTracer, ChannelsDoNotDisturbEachOther) {
 }
 
 TEST(PathTracer, SameBitsForAnyNumberOfThreads) {
-    const SkyMedium medium = sky_medium("earth_hillaire");
+    const SkyMedium medium = preset_sky("earth_hillaire");
     const PathTracer tracer(medium);
     const test::View view = view_at(0, 80, 60, 20);
     const PathTracerSettings settings = paths(5000);
@@ -200,7 +200,7 @@ TEST(PathTracer, SameBitsForAnyNumberOfThreads) {
 // The standard error says how far runs scatter: 64 of them, of which chi-square has 63 degrees of
 // freedom.
 TEST(PathTracer, StandardErrorIsTheScatterOfRuns) {
-    const SkyMedium medium = sky_medium("earth_hillaire");
+    const SkyMedium medium = preset_sky("earth_hillaire");
     const PathTracer tracer(medium);
     const test::View view = view_at(0.5, 30, 30, 90);
     const PathTracedRadiance best = trace(tracer, view, paths(64000, 1000));
@@ -215,7 +215,7 @@ TEST(PathTracer, StandardErrorIsTheScatterOfRuns) {
 }
 
 TEST(PathTracer, SmallDiscIsAPointAndSpreadsOnlyItsLight) {
-    const SkyMedium medium = sky_medium("earth_hillaire");
+    const SkyMedium medium = preset_sky("earth_hillaire");
     const PathTracer tracer(medium);
     const test::View view = view_at(0.5, 60, 30, 0);
     PathTracerSettings settings = paths(40000);
@@ -230,7 +230,7 @@ TEST(PathTracer, SmallDiscIsAPointAndSpreadsOnlyItsLight) {
     }
     // Half of a disc on the horizon is above it: less light than from its centre where air is
     // thin, and some when the centre is below.
-    const SkyMedium vacuum = sky_medium("vacuum", {"atmosphere.ground_albedo=1"});
+    const SkyMedium vacuum = preset_sky("vacuum", {"atmosphere.ground_albedo=1"});
     settings.sun_radius = 0.1;
     const PathTracedRadiance half = trace(PathTracer(vacuum), view_at(0, 90, 180, 0), settings);
     // Mean of max(cosine, 0) over a disc of radius a on the horizon: 2 a / 3 pi up to a^2.
@@ -241,8 +241,7 @@ TEST(PathTracer, SmallDiscIsAPointAndSpreadsOnlyItsLight) {
 // Every row against an independent program; rows of a direction share their paths.
 test::Agreement agreement_with(const std::string& name, const SkyMedium& medium,
                                std::int64_t count) {
-    const auto truth = parse_sky_truth_csv(test::file_text(SKYBAKE_TEST_DATA "/" + name))
-                           .value_or(std::vector<SkyTruth>{});
+    const auto truth = test::sky_truth_of(SKYBAKE_TEST_DATA "/" + name);
     std::vector<SkyTruthDirection> directions;
     for (const SkyTruth& row : truth) {
         if (row.channel == 0) directions.push_back(row.direction);
@@ -260,7 +259,7 @@ test::Agreement agreement_with(const std::string& name, const SkyMedium& medium,
 TEST(PathTracer, AgreesWithTheTruthOfEarth) {
     const test::Agreement agreement =
         agreement_with("truth_sky_setH0_h0.5.csv",
-                       sky_medium("earth_hillaire", {"atmosphere.ground_albedo=0"}), 10000);
+                       preset_sky("earth_hillaire", {"atmosphere.ground_albedo=0"}), 10000);
     EXPECT_EQ(agreement.count, 534);
     // 178 directions of three correlated rows: the mean has a standard deviation below 0.11.
     EXPECT_LT(agreement.mean(), 1.3);
@@ -270,7 +269,7 @@ TEST(PathTracer, AgreesWithTheTruthOfEarth) {
 
 // Ten times Earth's Mie layer alone, without absorption, Cornette-Shanks with g = 0.
 TEST(PathTracer, AgreesWithTheTruthOfConservativeHaze) {
-    const SkyMedium haze = sky_medium(
+    const SkyMedium haze = preset_sky(
         "earth_hillaire", {"atmosphere.ground_albedo=0", "atmosphere.layers.ozone.enabled=false",
                            "atmosphere.layers.rayleigh.enabled=false", "atmosphere.layers.mie.g=0",
                            "atmosphere.layers.mie.scattering=\"3.996e-5 /m\"",
@@ -284,7 +283,7 @@ TEST(PathTracer, AgreesWithTheTruthOfConservativeHaze) {
 
 // The standard error of colours is that of their replicates, whatever the tracer's unit is.
 TEST(PathTracer, ReplicatesHaveTheWalkedLightForTheirMean) {
-    const SkyMedium medium = sky_medium("earth_hillaire");
+    const SkyMedium medium = preset_sky("earth_hillaire");
     const PathTracer tracer(medium);
     const SunZenith sun = sun_at_elevation(0.5);
     const SkyDirection up = sky_direction(sun, 0.6, 0.8, 0.3);
@@ -305,7 +304,7 @@ TEST(PathTracer, ReplicatesHaveTheWalkedLightForTheirMean) {
 
 // Psi of all orders. Deeper in twilight too few paths reach the light for a standard error.
 TEST(PathTracer, MeanRadianceAgreesWithTheTruth) {
-    const SkyMedium medium = sky_medium("earth_hillaire", {"atmosphere.ground_albedo=0"});
+    const SkyMedium medium = preset_sky("earth_hillaire", {"atmosphere.ground_albedo=0"});
     const PathTracer tracer(medium);
     test::Agreement agreement;
     std::uint32_t ray = 0;

@@ -14,7 +14,7 @@ namespace {
 // add up to that of the whole ray. The parts of falling rays end before their lowest point, behind
 // it, and before they reach the ground.
 TEST(PathViews, PartsOfRaysAddUp) {
-    const SkyMedium medium = sky_medium("earth_hillaire");
+    const SkyMedium medium = preset_sky("earth_hillaire");
     const PathTracer tracer(medium);
     const Shell shell = shell_of(medium.air);
     const SkyIntegrator integrator(medium, nullptr);
@@ -55,7 +55,7 @@ TEST(PathViews, PartsOfRaysAddUp) {
 
 // A part that is longer than the ray is the ray: the same paths, the same bits.
 TEST(PathViews, ALongPartIsTheWholeRay) {
-    const SkyMedium medium = sky_medium("earth_hillaire");
+    const SkyMedium medium = preset_sky("earth_hillaire");
     const PathTracer tracer(medium);
     for (const double zenith : {20.0, 91.0, 150.0}) {
         const View view = view_at(3, 50, zenith, 60);
@@ -69,7 +69,7 @@ TEST(PathViews, ALongPartIsTheWholeRay) {
 
 // A camera in space sees what a camera sees where its ray enters the air.
 TEST(PathViews, SpaceIsEmpty) {
-    const SkyMedium medium = sky_medium("mars_rgb");
+    const SkyMedium medium = preset_sky("mars_rgb");
     const PathTracer tracer(medium);
     const Shell shell = shell_of(medium.air);
     const View above = view_at(shell.thickness_km + 500, 70, 125, 30);
@@ -94,7 +94,7 @@ TEST(PathViews, SpaceIsEmpty) {
 // The first order of the irradiance by paths is what quadrature over the dome finds.
 TEST(PathViews, IrradianceIsTheDomesIntegral) {
     for (const char* preset : {"earth_hillaire", "mars_rgb"}) {
-        const SkyLight single(sky_medium(preset), config::SkyOrders::single, nullptr);
+        const SkyLight single(preset_sky(preset), config::SkyOrders::single, nullptr);
         const PathTracer tracer(single.medium());
         for (const auto& [altitude_km, zenith] : {std::pair{0.0, 50.0}, {4.0, 88.0}}) {
             const SunZenith sun = {cosine_of_degrees(zenith), sine_of_degrees(zenith)};

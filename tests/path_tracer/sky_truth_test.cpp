@@ -2,21 +2,22 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "tests/path_tracer/path_media.h"
+#include "tests/support/temporary_folder.h"
 
 namespace skybake {
 namespace {
 
 // The directions of the stored truth, all of them and no others.
 TEST(SkyTruth, DirectionsAreThoseOfTheStoredTruth) {
-    const auto stored =
-        parse_sky_truth_csv(test::file_text(SKYBAKE_TEST_DATA "/truth_sky_setH0_h0.5.csv"));
-    ASSERT_TRUE(stored);
+    const auto stored = test::sky_truth_of(SKYBAKE_TEST_DATA "/truth_sky_setH0_h0.5.csv");
     const std::vector<SkyTruthDirection> directions = sky_truth_directions(0.5);
     ASSERT_EQ(directions.size(), 178U);
-    ASSERT_EQ(stored->size(), 3 * directions.size());
-    for (std::size_t i = 0; i < stored->size(); ++i) {
-        const SkyTruth& value = (*stored)[i];
+    ASSERT_EQ(stored.size(), 3 * directions.size());
+    for (std::size_t i = 0; i < stored.size(); ++i) {
+        const SkyTruth& value = stored[i];
         EXPECT_EQ(value.direction, directions[i % directions.size()]);
         EXPECT_EQ(value.channel, static_cast<int>(i / directions.size()));
         double sum = 0;
@@ -26,7 +27,7 @@ TEST(SkyTruth, DirectionsAreThoseOfTheStoredTruth) {
 }
 
 TEST(SkyTruth, TextKeepsEveryBit) {
-    const SkyMedium medium = test::sky_medium("earth_hillaire");
+    const SkyMedium medium = test::preset_sky("earth_hillaire");
     const std::vector<SkyTruthDirection> directions = {{0.5, 30, 60, 90}, {0, 96, 89.5, 180}};
     const std::vector<SkyTruth> values = trace_sky_truth(medium, directions, {3, 300}, 1);
     ASSERT_EQ(values.size(), 6U);
@@ -34,24 +35,9 @@ TEST(SkyTruth, TextKeepsEveryBit) {
     EXPECT_EQ(values[4].channel, 1);
     EXPECT_GT(values[0].radiance, 0);
     EXPECT_GT(values[0].standard_error, 0);
-    EXPECT_EQ(parse_sky_truth_csv(sky_truth_csv(values, "paths=300")), values);
-}
-
-TEST(SkyTruth, RefusesWhatIsNoTable) {
-    const std::string good =
-        sky_truth_csv({{{0.5, 30, 60, 90}, 1, {1, 2, 3, 4, 5, 6}, 21, 0.5}}, "x");
-    ASSERT_TRUE(parse_sky_truth_csv(good));
-    const std::string head = good.substr(0, good.find("0.5,30"));
-    EXPECT_TRUE(parse_sky_truth_csv(head)->empty());
-    for (const char* line :
-         {"0.5,30,60,90,1,1,2,3,4,5,6,21\n", "0.5,30,60,90,1,1,2,3,4,5,6,21,0.5,7\n",
-          "0.5,30,60,90,1,1,2,3,4,5,6,21,0.5,\n", "0.5,30,60,90,3,1,2,3,4,5,6,21,0.5\n",
-          "0.5,30,60,90,1.5,1,2,3,4,5,6,21,0.5\n", "0.5,30,60,90,-1,1,2,3,4,5,6,21,0.5\n",
-          "0.5,30,60,90,1,nan,2,3,4,5,6,21,0.5\n", "0.5,30,60,90,1,x,2,3,4,5,6,21,0.5\n", "\n"}) {
-        EXPECT_FALSE(parse_sky_truth_csv(head + line)) << line;
-    }
-    EXPECT_FALSE(parse_sky_truth_csv(""));
-    EXPECT_FALSE(parse_sky_truth_csv("h_km,sun\n"));
+    const testing::TemporaryFolder folder;
+    std::ofstream(folder / "t.csv") << sky_truth_csv(values, "paths=300");
+    EXPECT_EQ(test::sky_truth_of(folder / "t.csv"), values);
 }
 
 }  // namespace

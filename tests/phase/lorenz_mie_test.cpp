@@ -9,8 +9,8 @@
 
 #include "bakers/math/quadrature.h"
 #include "tests/phase/lorenz_mie_reference.h"
+#include "tests/phase/one_sphere.h"
 #include "tests/support/every_target.h"
-#include "tests/support/plain_mie.h"
 
 namespace skybake {
 namespace {
@@ -19,34 +19,18 @@ struct Sphere {
     double n, k, x;
 };
 
-MieCoefficients coefficients_of(const Sphere& sphere) {
-    return mie_coefficients(sphere.x, {sphere.n, sphere.k});
+test::MieSphere made_of(const Sphere& sphere) {
+    return test::mie_sphere(sphere.x, {sphere.n, sphere.k});
 }
-MieEfficiencies efficiencies_of(const Sphere& sphere) {
-    return mie_efficiencies(coefficients_of(sphere));
-}
-
-MieIntensities intensities_of(const MieCoefficients& c, const std::vector<double>& one_minus) {
-    MieIntensities sums = no_intensities(one_minus.size());
-    add_mie_intensities(std::array{mie_terms(c)}, std::array{1.0}, one_minus, 1, sums);
-    return sums;
-}
-
-// Q_ext as the optical theorem has it: 4 / x^2 Re S(0), S(0) = 1/2 sum (2 n + 1) (a_n + b_n).
-double extinction_by_forward_amplitude(const MieCoefficients& c) {
-    double sum = 0;
-    for (std::size_t i = 0; i < c.a.size(); ++i) {
-        sum += (2 * static_cast<double>(i) + 3) * (c.a[i].real + c.b[i].real);
-    }
-    return 2 / (c.size_parameter * c.size_parameter) * sum;
-}
+MieEfficiencies efficiencies_of(const Sphere& sphere) { return made_of(sphere).efficiencies; }
 
 TEST(LorenzMie, SphereOfBohrenAndHuffman) {
     const double x = 2 * std::numbers::pi * 0.525 / 0.6328;
-    const MieEfficiencies q = efficiencies_of({1.55, 0, x});
+    const test::MieSphere sphere = made_of({1.55, 0, x});
+    const MieEfficiencies& q = sphere.efficiencies;
     EXPECT_NEAR(q.extinction, 3.10543, 5e-6);
     EXPECT_NEAR(q.scattering, 3.10543, 5e-6);
-    EXPECT_NEAR(q.backscatter, 2.92534, 5e-6);
+    EXPECT_NEAR(sphere.backscatter(), 2.92534, 5e-6);
     EXPECT_NEAR(q.mean_cosine, 0.63314, 5e-6);
 }
 
@@ -105,7 +89,7 @@ TEST(LorenzMie, AmplitudesOfWiscombe) {
                                                      {-0.348844, -0.146829}}};
     std::vector<double> one_minus;
     for (int i = 0; i < 4; ++i) one_minus.push_back(1 - std::cos(i * std::numbers::pi / 6));
-    const MieIntensities at = intensities_of(coefficients_of({1.5, 1, 1}), one_minus);
+    const MieIntensities at = made_of({1.5, 1, 1}).intensities(one_minus);
     for (std::size_t i = 0; i < 4; ++i) {
         EXPECT_NEAR(at.perpendicular[i], std::norm(s1[i]), 2e-6) << i;
         EXPECT_NEAR(at.parallel[i], std::norm(s2[i]), 2e-6) << i;
@@ -133,16 +117,16 @@ RC_GTEST_PROP(LorenzMie, IsTheReference, ()) {
     for (const double v : one_minus) cosines.push_back(v - 1);
     const test::ReferenceSphere wanted =
         test::reference_sphere(sphere.x, {sphere.n, sphere.k}, cosines);
-    const MieCoefficients c = coefficients_of(sphere);
-    const MieEfficiencies q = mie_efficiencies(c);
+    const test::MieSphere found = made_of(sphere);
+    const MieEfficiencies& q = found.efficiencies;
     const auto near = [](double value, double expected, double relative, double absolute) {
         return std::fabs(value - expected) <= relative * std::fabs(expected) + absolute;
     };
     RC_ASSERT(near(q.extinction, wanted.extinction, 1e-8, 0));
     RC_ASSERT(near(q.scattering, wanted.scattering, 1e-8, 0));
-    RC_ASSERT(near(q.backscatter, wanted.backscatter, 1e-6, 0));
+    RC_ASSERT(near(found.backscatter(), wanted.backscatter, 1e-6, 0));
     RC_ASSERT(near(q.mean_cosine, wanted.mean_cosine, 1e-8, 1e-11));
-    const MieIntensities at = intensities_of(c, one_minus);
+    const MieIntensities at = found.intensities(one_minus);
     const double dark = 1e-13 * wanted.perpendicular[0];
     for (std::size_t i = 0; i < one_minus.size(); ++i) {
         const std::size_t back = i + one_minus.size();
@@ -154,23 +138,24 @@ RC_GTEST_PROP(LorenzMie, IsTheReference, ()) {
 }
 
 RC_GTEST_PROP(LorenzMie, ScattersNoMoreThanItTakes, ()) {
-    const Sphere sphere = any_sphere(3500);
-    const MieCoefficients c = coefficients_of(sphere);
-    const MieEfficiencies q = mie_efficiencies(c);
+    const test::MieSphere sphere = made_of(any_sphere(3500));
+    const MieEfficiencies& q = sphere.efficiencies;
     RC_ASSERT(q.absorption >= 0);
     RC_ASSERT(q.scattering <= q.extinction);
     RC_ASSERT(std::fabs(q.mean_cosine) < 1);
     // The optical theorem: two sums that share nothing but the coefficients.
-    RC_ASSERT(std::fabs(extinction_by_forward_amplitude(c) - q.extinction) <= 1e-11 * q.extinction);
+    const double by_theorem =
+        4 / (sphere.size_parameter * sphere.size_parameter) * sphere.at_pole(0).real();
+    RC_ASSERT(std::fabs(by_theorem - q.extinction) <= 1e-11 * q.extinction);
 }
 
 // The light that goes into all directions is Q_sca, and its mean cosine g.
 RC_GTEST_PROP(LorenzMie, IntensitiesAddUpToTheCrossSection, ()) {
     const Sphere sphere = any_sphere(1500);
-    const MieCoefficients c = coefficients_of(sphere);
-    const MieEfficiencies q = mie_efficiencies(c);
-    const QuadratureRule rule = gauss_legendre(static_cast<int>(c.a.size()) + 2);
-    const MieIntensities at = intensities_of(c, rule.nodes);
+    const test::MieSphere found = made_of(sphere);
+    const MieEfficiencies& q = found.efficiencies;
+    const QuadratureRule rule = gauss_legendre(static_cast<int>(found.terms.size()) + 2);
+    const MieIntensities at = found.intensities(rule.nodes);
     double sum = 0;
     double along = 0;
     for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
@@ -196,7 +181,7 @@ TEST(LorenzMie, TinySpheresScatterAsRayleighs) {
             EXPECT_NEAR(q.mean_cosine, 0, order) << x << m;
         }
     }
-    const MieIntensities at = intensities_of(coefficients_of({1.33, 0, 1e-6}), {0, 0.5, 1});
+    const MieIntensities at = made_of({1.33, 0, 1e-6}).intensities({0, 0.5, 1});
     EXPECT_NEAR(at.parallel[1] / at.perpendicular[1], 0.25, 1e-11);
     EXPECT_NEAR(at.perpendicular[1] / at.back_perpendicular[0], 1, 1e-11);
     EXPECT_LT(at.parallel[2], 1e-20 * at.perpendicular[2]);
@@ -218,12 +203,12 @@ TEST(LorenzMie, HugeSpheresKeepTheirDigits) {
     for (const double v : one_minus) cosines.push_back(1 - v);
     for (const double v : one_minus) cosines.push_back(v - 1);
     const test::ReferenceSphere wanted = test::reference_sphere(1e5, {1.333, 1e-6}, cosines);
-    const MieCoefficients c = coefficients_of({1.333, 1e-6, 1e5});
-    const MieEfficiencies q = mie_efficiencies(c);
+    const test::MieSphere sphere = made_of({1.333, 1e-6, 1e5});
+    const MieEfficiencies& q = sphere.efficiencies;
     EXPECT_NEAR(q.extinction, wanted.extinction, 1e-12);
     EXPECT_NEAR(q.scattering, wanted.scattering, 1e-12);
     EXPECT_NEAR(q.mean_cosine, wanted.mean_cosine, 1e-12);
-    const MieIntensities at = intensities_of(c, one_minus);
+    const MieIntensities at = sphere.intensities(one_minus);
     for (std::size_t i = 0; i < one_minus.size(); ++i) {
         const std::size_t back = i + one_minus.size();
         EXPECT_NEAR(at.perpendicular[i] / wanted.perpendicular[i], 1, 1e-6) << i;
@@ -238,8 +223,7 @@ TEST(LorenzMie, StrongAbsorptionKeepsFresnelsReflection) {
     // incidence.
     for (const std::complex<double> m : {std::complex<double>(1.5, 1), {10, 10}, {0.2, 30}}) {
         const double reflected = std::norm((m - 1.0) / (m + 1.0));
-        EXPECT_NEAR(efficiencies_of({m.real(), m.imag(), 5e4}).backscatter, reflected,
-                    1e-4 * reflected)
+        EXPECT_NEAR(made_of({m.real(), m.imag(), 5e4}).backscatter(), reflected, 1e-4 * reflected)
             << m;
     }
 }
@@ -271,11 +255,18 @@ TEST(LorenzMie, ResonancesScatterWhatTheyTake) {
     // Steps finer than the widest and wider than the narrowest resonances near x = 50.
     double sharpest = 0;
     for (int i = 0; i < 400; ++i) {
-        const MieCoefficients c = coefficients_of({1.5, 0, 50 + i * 0.00371});
-        for (std::size_t n = 0; n < c.a.size(); ++n) {
-            EXPECT_NEAR(squared_modulus(c.a[n]), c.a[n].real, 1e-12);
-            EXPECT_NEAR(squared_modulus(c.b[n]), c.b[n].real, 1e-12);
-            if (n > 55) sharpest = std::max({sharpest, c.a[n].real, c.b[n].real});
+        double n = 0;
+        for (const auto& [real_sum, sum, real_difference, difference] :
+             made_of({1.5, 0, 50 + i * 0.00371}).terms) {
+            ++n;
+            // a_n and b_n, either way round.
+            for (const double sign : {1.0, -1.0}) {
+                const double c = 2 * (2 * n + 1) / (n * (n + 1));
+                const std::complex<double> one((real_sum + sign * real_difference) / c,
+                                               (sum + sign * difference) / c);
+                EXPECT_NEAR(std::norm(one), one.real(), 1e-12);
+                if (n > 56) sharpest = std::max(sharpest, one.real());
+            }
         }
     }
     EXPECT_GT(sharpest, 0.5);
@@ -283,14 +274,13 @@ TEST(LorenzMie, ResonancesScatterWhatTheyTake) {
 
 TEST(LorenzMie, BothPolarisationsAreOneAtThePoles) {
     for (const double x : {0.5, 5.213, 1000.0, 1e5}) {
-        const MieCoefficients c = coefficients_of({1.33, 1e-4, x});
-        const MieIntensities at = intensities_of(c, {0});
+        const test::MieSphere sphere = made_of({1.33, 1e-4, x});
+        const MieIntensities at = sphere.intensities({0});
         EXPECT_EQ(at.perpendicular[0], at.parallel[0]);
         EXPECT_NEAR(at.back_perpendicular[0] / at.back_parallel[0], 1, 1e-12);
-        const double back = mie_efficiencies(c).backscatter * x * x / 4;
-        EXPECT_NEAR(at.back_perpendicular[0] / back, 1, 1e-9);
+        EXPECT_NEAR(at.back_perpendicular[0] / std::norm(sphere.at_pole(2)), 1, 1e-9);
         // |S(0)| is at least its real part.
-        const double real = extinction_by_forward_amplitude(c) * x * x / 4;
+        const double real = sphere.at_pole(0).real();
         EXPECT_GE(at.perpendicular[0], real * real * (1 - 1e-12));
     }
 }
@@ -303,20 +293,15 @@ TEST(LorenzMie, ManySpheresAtOnceAreThoseOneByOne) {
             std::vector<double> sizes;
             for (double x = 1e-3; x < 2e3 && sizes.size() < 19; x *= factor) sizes.push_back(x);
             for (double x = 1e3; sizes.size() < 37; x *= 1 + 1e-3 * factor) sizes.push_back(x);
-            std::vector<MieTerms> wanted;
-            std::vector<MieEfficiencies> wanted_efficiencies;
-            for (const double size : sizes) {
-                const MieCoefficients c = mie_coefficients(size, index);
-                wanted.push_back(mie_terms(c));
-                wanted_efficiencies.push_back(mie_efficiencies(c));
-            }
+            std::vector<test::MieSphere> wanted;
+            for (const double size : sizes) wanted.push_back(test::mie_sphere(size, index));
             test::on_every_target([&](const char* target) {
                 std::vector<MieTerms> terms(sizes.size());
                 std::vector<MieEfficiencies> efficiencies(sizes.size());
                 mie_series(sizes, index, terms, efficiencies);
                 for (std::size_t i = 0; i < sizes.size(); ++i) {
-                    const MieEfficiencies& q = wanted_efficiencies[i];
-                    EXPECT_EQ(terms[i], wanted[i]) << target << sizes[i];
+                    const MieEfficiencies& q = wanted[i].efficiencies;
+                    EXPECT_EQ(terms[i], wanted[i].terms) << target << sizes[i];
                     EXPECT_EQ(efficiencies[i].extinction, q.extinction) << target << sizes[i];
                     EXPECT_EQ(efficiencies[i].scattering, q.scattering) << target << sizes[i];
                     EXPECT_EQ(efficiencies[i].absorption, q.absorption) << target << sizes[i];
@@ -331,7 +316,7 @@ TEST(LorenzMie, SameBitsOnEveryTargetAndAnyNumberOfThreads) {
     std::vector<MieTerms> spheres;
     std::vector<double> weights;
     for (int i = 1; i < 20; ++i) {
-        spheres.push_back(mie_terms(coefficients_of({1.33, 1e-5, 3.7 * i})));
+        spheres.push_back(made_of({1.33, 1e-5, 3.7 * i}).terms);
         weights.push_back(1.0 / i);
     }
     std::vector<double> one_minus;

@@ -12,8 +12,8 @@
 #include "bakers/air/particles/lorenz_mie.h"
 #include "bakers/air/particles/particle_scattering.h"
 #include "tests/phase/lorenz_mie_reference.h"
+#include "tests/phase/one_sphere.h"
 #include "tests/support/hard_case.h"
-#include "tests/support/plain_mie.h"
 
 namespace skybake {
 namespace {
@@ -40,8 +40,8 @@ const std::array kSpheres = {
 TEST(PhaseHardCase, Case08SpheresInExtendedPrecision) {
     const std::vector<double> one_minus = {0, 1e-12, 1e-6, 1e-3, 0.1, 0.5, 1};
     for (const Sphere& sphere : kSpheres) {
-        const MieCoefficients series = mie_coefficients(sphere.size_parameter, sphere.index);
-        const MieEfficiencies found = mie_efficiencies(series);
+        const test::MieSphere made = test::mie_sphere(sphere.size_parameter, sphere.index);
+        const MieEfficiencies& found = made.efficiencies;
         std::vector<double> cosines;
         for (const double value : one_minus) cosines.push_back(1 - value);
         const test::ReferenceSphere wanted = test::reference_sphere(
@@ -50,8 +50,7 @@ TEST(PhaseHardCase, Case08SpheresInExtendedPrecision) {
              std::max(std::fabs(found.extinction / wanted.extinction - 1),
                       std::fabs(found.scattering / wanted.scattering - 1)),
              1e-8);
-        MieIntensities sums = no_intensities(one_minus.size());
-        add_mie_intensities(std::array{mie_terms(series)}, std::array{1.0}, one_minus, 1, sums);
+        const MieIntensities sums = made.intensities(one_minus);
         double worst = 0;
         for (std::size_t i = 0; i < one_minus.size(); ++i) {
             const double value = sums.perpendicular[i] + sums.parallel[i];
@@ -65,7 +64,7 @@ TEST(PhaseHardCase, Case08SpheresInExtendedPrecision) {
 TEST(PhaseHardCase, Case08LimitsOfSpheres) {
     // Q_ext - 2 falls as x^(-2/3).
     for (const double x : {1e4, 1e5}) {
-        const double q = mie_efficiencies(mie_coefficients(x, {1.333, 1e-3})).extinction;
+        const double q = test::mie_sphere(x, {1.333, 1e-3}).efficiencies.extinction;
         hold("8 sphere of x " + std::to_string(static_cast<int>(x)), "Q = 2, relative",
              std::fabs(q / 2 - 1), 1e-2);
     }
@@ -74,8 +73,7 @@ TEST(PhaseHardCase, Case08LimitsOfSpheres) {
     const std::complex<double> polarisability = (m * m - 1.0) / (m * m + 2.0);
     const double rayleigh = 8.0 / 3 * std::pow(tiny, 4) * std::norm(polarisability);
     hold("8 sphere of x 1e-4", "Rayleigh's Q, relative",
-         std::fabs(mie_efficiencies(mie_coefficients(tiny, {1.5, 0})).scattering / rayleigh - 1),
-         1e-7);
+         std::fabs(test::mie_sphere(tiny, {1.5, 0}).efficiencies.scattering / rayleigh - 1), 1e-7);
 }
 
 TEST(PhaseHardCase, Case08DistributionsOfSpheres) {

@@ -35,15 +35,11 @@ float balls_at(double x, double y, double z) {
 
 // A cloud whose voxels have optical depths of 4.5, as those of drafts have.
 CloudMedium draft_cloud() {
-    config::Cloud cloud =
-        test::cloud_of({kSize[0] * kVoxel_m, kSize[1] * kVoxel_m, kSize[2] * kVoxel_m}, 1000);
-    cloud.extinction_scale.per_meter = 0.06;
     std::vector<float> voxels;
     testing::for_each_voxel(
         kSize, [&](int x, int y, int z) { voxels.push_back(balls_at(x + 0.5, y + 0.5, z + 0.5)); });
-    CloudMedium medium = cloud_medium(cloud, voxels.data(), kSize, 1, 1);
-    medium.leaps = leaps_of_voxels(medium, 2, 1);
-    return medium;
+    return test::medium_of({kSize[0] * kVoxel_m, kSize[1] * kVoxel_m, kSize[2] * kVoxel_m}, 1000,
+                           kSize, voxels, 0.06);
 }
 
 MarchSettings settings_under(const CloudMedium& medium, const SunDirection& sun) {

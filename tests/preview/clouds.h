@@ -1,6 +1,8 @@
 // Clouds in memory for tests of their pictures.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <vector>
@@ -25,10 +27,10 @@ inline config::Cloud cloud_of(const std::array<double, 3>& extent_m, double base
 // The medium of such a volume.
 inline CloudMedium medium_of(const std::array<double, 3>& extent_m, double base_m,
                              const std::array<int, 3>& size, const std::vector<float>& voxels,
-                             double extinction_per_m = 0.01, int cell = 2) {
+                             double extinction_per_m = 0.01, int cell = 2, bool repeats = true) {
     config::Cloud cloud = cloud_of(extent_m, base_m);
     cloud.extinction_scale.per_meter = extinction_per_m;
-    CloudMedium medium = cloud_medium(cloud, voxels.data(), size, 1, 1);
+    CloudMedium medium = cloud_medium(cloud, voxels.data(), size, 1, 1, repeats);
     medium.leaps = leaps_of_voxels(medium, cell, 1);
     return medium;
 }
@@ -44,6 +46,14 @@ inline std::vector<float> clumped_voxels(const std::array<int, 3>& size, std::ui
         voxels.push_back(is_filled ? share_of(mixed(voxel ^ seed)) : 0.0F);
     });
     return voxels;
+}
+
+inline double greatest_difference(const Image2<float>& a, const Image2<float>& b) {
+    double most = 0;
+    for (std::size_t i = 0; i < a.texels.size(); ++i) {
+        most = std::max(most, std::fabs(double{a.texels[i]} - b.texels[i]));
+    }
+    return most;
 }
 
 inline bool same_bits(const Image2<float>& a, const Image2<float>& b) {

@@ -8,25 +8,20 @@
 
 #include "bakers/preview/pictures/cloud_pictures.h"
 #include "bakers/render/scene_view.h"
-#include "tests/preview/clouds.h"
-#include "tests/preview/skies.h"
+#include "tests/preview/scenes.h"
 #include "tests/support/loops.h"
 
 namespace skybake {
 namespace {
 
-using test::earth;
+using test::picture_of;
 
 constexpr double kExtinction = 0.01;  // 1/m
 
 // A tile of 1600 x 1600 x 400 m at an altitude of 1 km, which is cloud throughout.
 CloudMedium slab(bool repeats) {
-    config::Cloud cloud = test::cloud_of({1600, 1600, 400}, 1000);
-    cloud.extinction_scale.per_meter = kExtinction;
-    const std::vector<float> voxels(32 * 32 * 8, 1.0F);
-    CloudMedium medium = cloud_medium(cloud, voxels.data(), {32, 32, 8}, 1, 1, repeats);
-    medium.leaps = leaps_of_voxels(medium, 4, 1);
-    return medium;
+    return test::medium_of({1600, 1600, 400}, 1000, {32, 32, 8},
+                           std::vector<float>(32 * 32 * 8, 1.0F), kExtinction, 4, repeats);
 }
 
 SceneFrame looking_down(const glm::dvec3& position) {
@@ -88,16 +83,10 @@ TEST(GroundShadow, OfOneTileIsThatOfItsBox) {
     }
 }
 
-Image2<float> picture_of(const CloudMedium& medium, const SunDirection& sun,
-                         const SceneFrame& frame) {
-    SceneRenderer renderer({{&medium, 20, 20, 8000, false}}, {earth().medium, earth().tables}, sun,
-                           1);
-    return renderer.render(frame, 1).radiance;
-}
-
 // A tile alone darkens the ground in its shadow, and leaves all other ground as it is.
 TEST(GroundShadow, OfOneTileLeavesOtherGroundAlone) {
-    const CloudMedium tile = slab(false);
+    const CloudMedium medium = slab(false);
+    const std::vector<SceneLayer> tile = {{&medium, 20, 20, 8000, false}};
     const SunDirection sun = {60, 205};
     SceneFrame frame = looking_down({6000, 6000, 500});
     const Image2<float> beside = picture_of(tile, sun, frame);
@@ -117,11 +106,10 @@ TEST(GroundShadow, OfOneTileLeavesOtherGroundAlone) {
 // Half of a layer is cloud, so that hardly any ground has its mean shadow. Beyond the reach, all has. Where
 // a ray meets no ground, nothing is shaded.
 TEST(GroundShadow, BeyondTheReachIsTheMean) {
-    config::Cloud cloud = test::cloud_of({1600, 1600, 400}, 1000);
     std::vector<float> voxels(32 * 32 * 8);
     for (std::size_t i = 0; i < voxels.size(); ++i) voxels[i] = i % 32 < 16 ? 1.0F : 0.0F;
-    CloudMedium layer = cloud_medium(cloud, voxels.data(), {32, 32, 8}, 1, 1);
-    layer.leaps = leaps_of_voxels(layer, 4, 1);
+    const CloudMedium layer =
+        test::medium_of({1600, 1600, 400}, 1000, {32, 32, 8}, voxels, kExtinction, 4);
     const SunDirection sun = {90, 0};
     SceneFrame frame = looking_down({0, 0, 900});
     frame.camera.elevation_degrees = -7;

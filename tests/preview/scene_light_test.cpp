@@ -13,6 +13,7 @@
 #include "tests/preview/lit_slabs.h"
 #include "tests/preview/multiple_scattering_grid.h"
 #include "tests/preview/skies.h"
+#include "tests/support/loops.h"
 #include "tests/support/scene_reference.h"
 
 namespace skybake {
@@ -89,18 +90,10 @@ constexpr int kBlock = 4;
 // The mean of some pixels, whose grain it removes.
 Spectrum mean_of_block(const Image2<float>& picture, int left, int top) {
     Spectrum sum{};
-    for (int y = top; y < top + kBlock; ++y) {
-        for (int x = left; x < left + kBlock; ++x) {
-            for (std::size_t c = 0; c < 3; ++c) sum[c] += double{picture.texel(x, y)[c]};
-        }
-    }
+    testing::for_each_voxel({3, kBlock, kBlock}, [&](int c, int x, int y) {
+        sum[static_cast<std::size_t>(c)] += double{picture.texel(left + x, top + y)[c]};
+    });
     return sum / double{kBlock * kBlock};
-}
-
-Image2<float> picture_of(const std::vector<SceneLayer>& layers, const LitScene& scene,
-                         const SceneFrame& frame) {
-    SceneRenderer renderer(layers, {hazy().medium, hazy().tables}, scene.sun, 1);
-    return renderer.render(frame, 1).radiance;
 }
 
 // Compares two corners and the middle of a picture that has four samples in each pixel.
@@ -111,7 +104,8 @@ void expect_parts(const LitScene& scene) {
     for (const CloudMedium& medium : media) layers.push_back({&medium, 2.5, 5, 40000, false});
     SceneFrame frame{kWidth, kHeight, scene.camera, Refinement::all, true};
     frame.camera.horizontal_field_degrees = 18;
-    const Image2<float> made = picture_of(layers, scene, frame);
+    SceneRenderer renderer(layers, {hazy().medium, hazy().tables}, scene.sun, 1);
+    const Image2<float> made = renderer.render(frame, 1).radiance;
     const CameraRays rays(frame.camera, kWidth, kHeight);
     for (const auto& [left, top] : {std::pair{0, 0}, {10, 6}, {20, 12}}) {
         const glm::dvec3 middle = rays.through(left + 0.5 * (kBlock - 1), top + 0.5 * (kBlock - 1));

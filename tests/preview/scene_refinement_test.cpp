@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bakers/render/scene_march.h"
-#include "tests/preview/clouds.h"
+#include "tests/preview/scenes.h"
 #include "tests/support/loops.h"
 
 namespace skybake {
@@ -15,22 +15,12 @@ namespace {
 
 CloudMedium clumps(const std::array<double, 3>& extent_m, const std::array<int, 3>& size,
                    double filled, double extinction_per_m) {
-    config::Cloud cloud = test::cloud_of(extent_m, 800);
-    cloud.extinction_scale.per_meter = extinction_per_m;
-    const std::vector<float> voxels = test::clumped_voxels(size, 5, filled);
-    CloudMedium medium = cloud_medium(cloud, voxels.data(), size, 1, 1);
-    medium.leaps = leaps_of_voxels(medium, 2, 1);
-    return medium;
+    return test::medium_of(extent_m, 800, size, test::clumped_voxels(size, 5, filled),
+                           extinction_per_m);
 }
 
 SceneFrame frame_of(int width, int height) {
-    SceneFrame frame;
-    frame.width = width;
-    frame.height = height;
-    frame.camera.position_m = {0, 0, 100};
-    frame.camera.azimuth_degrees = 33;
-    frame.camera.elevation_degrees = 50;
-    return frame;
+    return test::frame_from({0, 0, 100}, 50, width, height);
 }
 
 // Four samples are nearer to a fine march than one, and alike where nothing is thin.

@@ -51,27 +51,8 @@ TEST(SceneView, IsTheDefinition) {
 
 TEST(SceneView, CopiesOfTilesAreTheirDefinition) {
     const ThreeLayers three(true);
-    SceneFrame frame = frame_from({100, 50, 100}, 45, 12, 8);
     for (const double elevation : {35.0, -15.0}) {
-        const SunDirection sun = {elevation, 200};
-        const std::vector<SceneLayer> layers = three.layers(4);
-        const Image2<float> made =
-            SceneMarch(layers, sun, true, true, 1).march(frame, 1, nullptr).results;
-        const CameraRays rays(frame.camera, frame.width, frame.height);
-        for (int y = 0; y < frame.height; y += 2) {
-            for (int x = 0; x < frame.width; x += 3) {
-                const ReferenceScene wanted =
-                    reference_scene(layers, sun, frame.camera, rays.through(x, y), 400);
-                const float* seen = made.texel(x, y);
-                EXPECT_NEAR(seen[18], wanted.transmittance, 0.012 + 0.03 * wanted.transmittance);
-                for (int l = 0; l < 3; ++l) {
-                    const ReferenceLayer& layer = wanted.layers[static_cast<std::size_t>(l)];
-                    const double sunlight = layer.sun_at_base + layer.sun_at_top;
-                    EXPECT_NEAR(seen[6 * l] + seen[6 * l + 1], sunlight, 0.01 + 0.05 * sunlight);
-                    EXPECT_NEAR(seen[6 * l + 4], layer.opacity, 0.012 + 0.03 * layer.opacity);
-                }
-            }
-        }
+        expect_definition(three, {elevation, 200}, frame_from({100, 50, 100}, 45));
     }
 }
 
@@ -136,14 +117,6 @@ TEST(SceneView, LeapingThreadsAndTargetsChangeNoBit) {
             });
         }
     }
-}
-
-double greatest_difference(const Image2<float>& a, const Image2<float>& b) {
-    double most = 0;
-    for (std::size_t i = 0; i < a.texels.size(); ++i) {
-        most = std::max(most, std::fabs(double{a.texels[i]} - b.texels[i]));
-    }
-    return most;
 }
 
 TEST(SceneView, OrderOfLayersDoesNotMatter) {

@@ -23,12 +23,9 @@ PreviewAsset bake_one(const std::string& section) {
         asset.table = volume.image();
         return asset;
     }
-    const VoxelBox box{{}, volume.levels[0].size};
-    const auto voxels = static_cast<std::size_t>(box.count());
-    const std::size_t channels = volume.channel_names.size();
-    const auto planar = testing::planes_of(*volume.levels[0].voxels, box, channels);
-    for (std::size_t i = 0; i < voxels; ++i) {
-        for (std::size_t c = 0; c < channels; ++c) asset.voxels.push_back(planar[c][i]);
+    const auto planes = testing::planes_of(volume);
+    for (std::size_t i = 0; i < planes[0].size(); ++i) {
+        for (const std::vector<float>& plane : planes) asset.voxels.push_back(plane[i]);
     }
     return asset;
 }

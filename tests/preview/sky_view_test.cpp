@@ -139,20 +139,14 @@ TEST(SkyView, APanoramaSpansTheAzimuthsThatItIsAskedFor) {
 }
 
 TEST(SkyView, IsFiniteAndNotNegativeInHardPlaces) {
-    for (const std::string& preset : test::preset_list()) {
-        const test::Sky sky = test::sky_of(preset);
+    std::vector<test::Sky> skies = {peculiar_sky(), solved_sky("earth_urban_haze", "moments")};
+    for (const std::string& preset : test::preset_list()) skies.push_back(test::sky_of(preset));
+    for (const test::Sky& sky : skies) {
         for (const SkyView& view : hard_views(sky.medium.air.thickness_km)) {
             for (const float value : render_sky(sky.medium, sky.tables, view, 1).texels) {
                 ASSERT_TRUE(value >= 0 && value < 1e3)
-                    << preset << ' ' << view.sun_elevation_degrees << ' '
+                    << sky.transmittance.entry.parameters << view.sun_elevation_degrees << ' '
                     << view.camera_altitude_km;
-            }
-        }
-    }
-    for (const test::Sky& sky : {peculiar_sky(), solved_sky("earth_urban_haze", "moments")}) {
-        for (const SkyView& view : hard_views(sky.medium.air.thickness_km)) {
-            for (const float value : render_sky(sky.medium, sky.tables, view, 1).texels) {
-                ASSERT_TRUE(value >= 0 && value < 1e3) << view.sun_elevation_degrees;
             }
         }
     }

@@ -47,6 +47,14 @@ double linear_of(double srgb) {
     return srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4);
 }
 
+std::array<double, 3> linear_shown(const std::vector<float>& light, double exposure,
+                                   ToneCurve curve) {
+    const Picture picture = field(light, exposure, curve);
+    std::array<double, 3> linear;
+    for (std::size_t c = 0; c < 3; ++c) linear[c] = linear_of(mean_of(picture, c) / 255);
+    return linear;
+}
+
 // Display-linear light of grey.
 double shown(double light, ToneCurve curve) {
     return linear_of(mean_of(field({static_cast<float>(light)}, 1, curve), 0) / 255);
@@ -134,10 +142,8 @@ TEST(ToneMapped, BrightensWithLightAndKeepsGreyGrey) {
 
 // The channels of light that the exponential shows.
 std::array<double, 3> light_shown(const std::vector<float>& light) {
-    const Picture picture = field(light, 1);
-    std::array<double, 3> channels;
-    for (std::size_t c = 0; c < 3; ++c)
-        channels[c] = -std::log(1 - linear_of(mean_of(picture, c) / 255));
+    std::array<double, 3> channels = linear_shown(light, 1, ToneCurve::exponential);
+    for (double& channel : channels) channel = -std::log(1 - channel);
     return channels;
 }
 
@@ -164,14 +170,6 @@ TEST(ToneMapped, ShowsTheSettingSunNoMoreYellowThanTheSkyAroundIt) {
     const Picture sun = field({1000, 80, -30}, 1);
     const Picture sky = field({2.5F, 1.5F, 0.5F}, 1);
     for (std::size_t c = 0; c < 3; ++c) EXPECT_GE(mean_of(sun, c), mean_of(sky, c)) << c;
-}
-
-std::array<double, 3> linear_shown(const std::vector<float>& light, double exposure,
-                                   ToneCurve curve) {
-    const Picture picture = field(light, exposure, curve);
-    std::array<double, 3> linear;
-    for (std::size_t c = 0; c < 3; ++c) linear[c] = linear_of(mean_of(picture, c) / 255);
-    return linear;
 }
 
 // A saturated blue that is far too bright turns to white by the film-like curves, and not by the
@@ -232,12 +230,18 @@ TEST(ToneMapped, ShowsTheChromaticityOfABlueSky) {
     EXPECT_NEAR(sky[1] / sky[2], 0.5, 0.05 * 0.5);
 }
 
-TEST(ExposureFor, BringsThe99thPercentileTo85Percent) {
+// A row of 1000 grey pixels: each light up to its end.
+Image2<float> row_of(std::initializer_list<std::pair<int, float>> parts) {
     Image2<float> image(1000, 1, 3);
-    for (int x = 0; x < 1000; ++x) {
-        const float value = x < 980 ? 1.0F : x < 992 ? 4.0F : 1e6F;  // a sun in 8 of 1000 texels
-        std::fill_n(image.texel(x, 0), 3, value);
+    int x = 0;
+    for (const auto& [end, light] : parts) {
+        for (; x < end; ++x) std::fill_n(image.texel(x, 0), 3, light);
     }
+    return image;
+}
+
+TEST(ExposureFor, BringsThe99thPercentileTo85Percent) {
+    const Image2<float> image = row_of({{980, 1}, {992, 4}, {1000, 1e6F}});  // a sun in 8 texels
     for (const ToneCurve curve : kCurves) {
         EXPECT_NEAR(shown(exposure_for(image, curve) * 4, curve), 0.85, 2e-3);
     }
@@ -248,18 +252,14 @@ TEST(ExposureFor, BringsThe99thPercentileTo85Percent) {
 // A dome in its black surround: the median of what is lit is half a stop above middle grey, however
 // bright the light around the sun is, if it is less than a twentieth of the sky.
 TEST(SkyExposureFor, BringsTheMedianOfWhatIsLitTo25Percent) {
-    Image2<float> image(1000, 1, 3);
-    for (int x = 0; x < 1000; ++x) {
-        const float value = x < 500 ? 0.0F : x < 980 ? 2.0F : 1e6F;
-        std::fill_n(image.texel(x, 0), 3, value);
-    }
+    const Image2<float> image = row_of({{500, 0}, {980, 2}, {1000, 1e6F}});
     for (const ToneCurve curve : kCurves) {
         EXPECT_NEAR(shown(sky_exposure_for(image, curve) * 2, curve), 0.25, 2e-3);
     }
     // A tenth of the sky is so bright that the median would burn it out.
-    for (int x = 950; x < 1000; ++x) std::fill_n(image.texel(x, 0), 3, 50.0F);
+    const Image2<float> bright = row_of({{500, 0}, {950, 2}, {1000, 50}});
     for (const ToneCurve curve : kCurves) {
-        EXPECT_NEAR(shown(sky_exposure_for(image, curve) * 50, curve), 0.9, 2e-3);
+        EXPECT_NEAR(shown(sky_exposure_for(bright, curve) * 50, curve), 0.9, 2e-3);
     }
     EXPECT_EQ(sky_exposure_for(texel({0, 0, 0})), 1);
     EXPECT_EQ(sky_exposure_for(Image2<float>()), 1);
@@ -268,10 +268,8 @@ TEST(SkyExposureFor, BringsTheMedianOfWhatIsLitTo25Percent) {
 // Thin cloud against the light: a bright glow in a fiftieth of the picture does not make the rest darker than
 // a clear sky is shown.
 TEST(CloudExposureFor, LetsTheGlowAroundTheSunBurnOut) {
-    Image2<float> image(1000, 1, 3);
-    const auto fill = [&](int bright, float light, float rest) {
-        for (int x = 0; x < 1000; ++x) std::fill_n(image.texel(x, 0), 3, x < bright ? light : rest);
-        return cloud_exposure_for(image);
+    const auto fill = [](int bright, float light, float rest) {
+        return cloud_exposure_for(row_of({{bright, light}, {1000, rest}}));
     };
     EXPECT_NEAR(shown(fill(20, 50, 2) * 2, ToneCurve::film), 0.25, 2e-3);
     EXPECT_NEAR(shown(fill(20, 3, 2) * 3, ToneCurve::film), 0.9, 2e-3);

@@ -6,16 +6,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
-#include <fstream>
 #include <numbers>
 #include <string>
 #include <vector>
 
 #include "bakers/light/sky_radiance.h"
 #include "tests/path_tracer/path_media.h"
+#include "tests/support/number_rows.h"
 
 namespace skybake::test {
 namespace {
@@ -41,23 +39,13 @@ constexpr double kAerosolMeanCosine = 0.707679618076749;
 // is this many times that of isotropic scattering.
 constexpr double kAerosolPhase = 3.0757;
 
-// The rows of limb_air_351nm.csv: altitude, air, ozone, aerosol.
-std::vector<std::array<double, 4>> profile() {
-    std::vector<std::array<double, 4>> rows;
-    std::ifstream file(SKYBAKE_TEST_DATA "/limb_air_351nm.csv");
-    for (std::string line; std::getline(file, line);) {
-        if (line.empty() || line[0] == '#' || line[0] == 'a') continue;
-        std::array<double, 4> row{};
-        const char* at = line.data();
-        const char* end = at + line.size();
-        for (double& value : row) at = std::from_chars(at, end, value).ptr + 1;
-        rows.push_back(row);
-    }
-    return rows;
+// Altitude, air, ozone, aerosol.
+std::vector<std::vector<double>> profile() {
+    return number_rows(SKYBAKE_TEST_DATA "/limb_air_351nm.csv");
 }
 
 // A layer whose density is a column of the profile over its largest value.
-std::string layer_of(const std::vector<std::array<double, 4>>& rows, std::size_t column,
+std::string layer_of(const std::vector<std::vector<double>>& rows, std::size_t column,
                      double scattering_share, double cross_section, const std::string& rest) {
     double most = 0;
     for (const auto& row : rows) most = std::max(most, row[column]);

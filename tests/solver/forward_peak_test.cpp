@@ -6,20 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "bakers/light/path_tracer/path_tracer.h"
 #include "bakers/light/sky_light.h"
 #include "tests/light/sky_media.h"
+#include "tests/path_tracer/path_media.h"
 
 namespace skybake {
 namespace {
 
-config::Atmosphere foggy_atmosphere() {
-    return test::recipe_of(
-               "preset = 'earth_hillaire'\n[particles.drops]\npreset = 'fog'\n"
-               "[atmosphere.layers.fog]\nprofile = 'exponential'\nscale_height = '1 km'\n"
-               "phase = { mie = 'drops' }\nnumber_density = '0.5 /cm3'\n")
-        .parameters.atmosphere;
-}
+config::Atmosphere foggy_atmosphere() { return test::earth_with_drops().parameters.atmosphere; }
 
 TEST(ForwardPeak, PeakAndRestAreTheWhole) {
     constexpr int kDegree = 8;
@@ -63,12 +57,8 @@ TEST(ForwardPeak, PeakAndRestAreTheWhole) {
 // next power, however often the medium was scaled before.
 TEST(ForwardPeak, ScalingTwiceIsScalingToTheLowerDegree) {
     constexpr double kG = 0.9;
-    const SkyMedium whole = make_sky_medium(
-        test::recipe_of("[atmosphere]\nground_radius = '6360 km'\ntop_radius = '6460 km'\n"
-                        "ground_albedo = 0\n[atmosphere.layers.haze]\nprofile = 'exponential'\n"
-                        "scale_height = '1 km'\nphase = 'henyey_greenstein'\ng = 0.9\n"
-                        "scattering = '0.2 /km'\nextinction = '0.25 /km'\n")
-            .parameters.atmosphere);
+    const SkyMedium whole =
+        test::haze_alone("g = 0.9\nscattering = '0.2 /km'\nextinction = '0.25 /km'\n");
     for (const std::vector<int>& degrees : {std::vector<int>{8}, {20, 8}, {32, 20, 8}}) {
         SkyMedium scaled = whole;
         for (const int degree : degrees) scaled = delta_scaled(scaled, degree);
@@ -101,19 +91,15 @@ TEST(ForwardPeak, SkiesOfDropsAreThoseOfPaths) {
     ASSERT_TRUE(light.has_peaks());
     const SkyMedium medium = make_sky_medium(atmosphere);
     const PathTracer tracer(medium);
-    const auto turns = [](double degrees) { return degrees * test::kDegree; };
     for (const double sun_zenith : {30.0, 75.0}) {
-        const SunZenith sun{std::cos(turns(sun_zenith)), std::sin(turns(sun_zenith))};
         for (const double azimuth : {60.0, 150.0}) {
             for (const double zenith : {20.0, 60.0}) {
-                const SkyDirection towards =
-                    sky_direction(sun, std::cos(turns(zenith)), std::sin(turns(zenith)),
-                                  std::cos(turns(azimuth)));
+                const test::View view = test::view_at(0.2, sun_zenith, zenith, azimuth);
                 const Spectrum solved =
-                    light.wanted(light.integrator().radiance(0.2, sun, towards));
+                    light.wanted(light.integrator().radiance(0.2, view.sun, view.direction));
                 PathTracerSettings paths;
                 paths.paths = 30000;
-                const PathTracedRadiance traced = trace_paths(tracer, 0.2, sun, towards, paths, 0);
+                const PathTracedRadiance traced = test::trace(tracer, view, paths, 0);
                 for (std::size_t c = 0; c < 3; ++c) {
                     const double sigma =
                         std::hypot(traced.standard_error[c], 0.02 * traced.radiance[c]);

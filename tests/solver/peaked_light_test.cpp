@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
@@ -16,7 +14,7 @@
 #include "bakers/light/solver/solve_light.h"
 #include "bakers/math/parallel.h"
 #include "tests/light/sky_media.h"
-#include "tests/support/sky_truth.h"
+#include "tests/path_tracer/path_media.h"
 
 namespace skybake {
 namespace {
@@ -36,14 +34,6 @@ config::Atmosphere ground_fog(const std::string& extinction = "\"3 /km\"") {
          kMie + "phase=\"henyey_greenstein\"", kMie + "scale_height=\"0.1 km\"", kMie + "g=0.85"});
 }
 
-std::vector<SkyTruth> truth_of(const std::string& name) {
-    std::ifstream file(std::string(SKYBAKE_TEST_DATA) + "/truth_sky_" + name + ".csv");
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
-    const auto truth = parse_sky_truth_csv(text);
-    EXPECT_TRUE(truth.has_value()) << name;
-    return truth.value_or(std::vector<SkyTruth>{});
-}
-
 // Errors of the sky as assets show it, for the suns from `from` to `to` degrees, ascending.
 std::vector<double> sky_errors(const SkyLight& light, const std::vector<SkyTruth>& truth,
                                double from, double to) {
@@ -56,13 +46,10 @@ std::vector<double> sky_errors(const SkyLight& light, const std::vector<SkyTruth
     parallel_for(static_cast<int>(wanted.size()), 0, [&](int i) {
         const auto at = static_cast<std::size_t>(i);
         const SkyTruthDirection& d = wanted[at].direction;
-        const double sun_angle = d.sun_zenith_degrees * test::kDegree;
-        const double view_angle = d.view_zenith_degrees * test::kDegree;
-        const SunZenith sun{std::cos(sun_angle), std::sin(sun_angle)};
-        const SkyRadiance sky = light.integrator().radiance(
-            d.altitude_km, sun,
-            sky_direction(sun, std::cos(view_angle), std::sin(view_angle),
-                          std::cos(d.azimuth_degrees * test::kDegree)));
+        const test::View view = test::view_at(d.altitude_km, d.sun_zenith_degrees,
+                                              d.view_zenith_degrees, d.azimuth_degrees);
+        const SkyRadiance sky =
+            light.integrator().radiance(d.altitude_km, view.sun, view.direction);
         const auto c = static_cast<std::size_t>(wanted[at].channel);
         errors[at] = std::fabs((sky.single[c] + sky.multiple[c]) / wanted[at].radiance - 1);
     });
@@ -75,7 +62,8 @@ double median(const std::vector<double>& errors) { return errors[errors.size() /
 // The paths' own standard error is 0.3 % in the median and at most 0.8 %.
 TEST(PeakedLight, SkyOfHaze) {
     const SkyLight light(haze(0.9, "0.1 /km", "0.104 /km"), config::SkyOrders::all, {}, {});
-    const std::vector<SkyTruth> truth = truth_of("haze_g09");
+    const std::vector<SkyTruth> truth =
+        test::sky_truth_of(SKYBAKE_TEST_DATA "/truth_sky_haze_g09.csv");
     EXPECT_LT(median(sky_errors(light, truth, 0, 90)), 5e-3);
     EXPECT_LT(sky_errors(light, truth, 0, 80).back(), 3.5e-2);
     EXPECT_LT(sky_errors(light, truth, 89, 89).back(), 7e-2);
@@ -83,7 +71,8 @@ TEST(PeakedLight, SkyOfHaze) {
 
 TEST(PeakedLight, SkyOfGroundFog) {
     const SkyLight light(ground_fog(), config::SkyOrders::all, {}, {});
-    const std::vector<double> errors = sky_errors(light, truth_of("ground_fog"), 0, 90);
+    const std::vector<double> errors =
+        sky_errors(light, test::sky_truth_of(SKYBAKE_TEST_DATA "/truth_sky_ground_fog.csv"), 0, 90);
     EXPECT_LT(median(errors), 5e-3);
     EXPECT_LT(errors.back(), 4e-2);
 }
@@ -95,7 +84,8 @@ TEST(SlowPeakedLight, SkyOfHazeWithANarrowPeak) {
     const SkyLight light(haze(0.97, "0.048 /km", "0.05 /km"), config::SkyOrders::all, {}, {});
     EXPECT_TRUE(light.has_peaks());
     EXPECT_FALSE(light.problem("sky"));
-    const std::vector<SkyTruth> truth = truth_of("haze_g097");
+    const std::vector<SkyTruth> truth =
+        test::sky_truth_of(SKYBAKE_TEST_DATA "/truth_sky_haze_g097.csv");
     EXPECT_LT(median(sky_errors(light, truth, 0, 90)), 1e-2);
     const std::vector<double> by_day = sky_errors(light, truth, 0, 80);
     EXPECT_LT(by_day[by_day.size() * 9 / 10], 3.5e-2);
@@ -118,8 +108,7 @@ TEST(PeakedLight, DegreeEndsWhereNothingScattersMore) {
     const SkyMedium fog = make_sky_medium(ground_fog());
     EXPECT_EQ(needed_degrees(fog, {0, 0.2, 0.6, 1, 2}, 24), (std::vector<int>{24, 24, 24, 3, 3}));
     EXPECT_EQ(needed_degrees(fog, {0, 0.2, 0.6, 1, 2}, 8), (std::vector<int>{8, 8, 8, 3, 3}));
-    const SkyMedium air =
-        make_sky_medium(test::preset_atmosphere("earth_hillaire", {kMie + "enabled=false"}));
+    const SkyMedium air = test::preset_sky("earth_hillaire", {kMie + "enabled=false"});
     EXPECT_EQ(needed_degrees(air, {0, 10, 100}, 16), (std::vector<int>{3, 3, 3}));
 }
 
@@ -167,11 +156,8 @@ TEST(PeakedLight, ScalingKeepsMomentsAndAbsorption) {
 // azimuths leaves of a phase function with a kink; between columns it must not grow. Cubics through
 // 48 columns are themselves off by 2 % of the mean light at these degrees.
 TEST(PeakedLight, HighOrdersDoNotDependOnColumns) {
-    const SkyMedium medium = without_forward_peaks(make_sky_medium(
-        test::recipe_of("preset = 'earth_hillaire'\n[particles.drops]\npreset = 'fog'\n"
-                        "[atmosphere.layers.fog]\nprofile = 'exponential'\nscale_height = '1 km'\n"
-                        "phase = { mie = 'drops' }\nnumber_density = '10 /cm3'\n")
-            .parameters.atmosphere));
+    const SkyMedium medium = without_forward_peaks(
+        make_sky_medium(test::earth_with_drops("", "10 /cm3").parameters.atmosphere));
     SolverSettings settings;
     settings.degree = 32;
     settings.orders = 1;

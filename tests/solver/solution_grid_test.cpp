@@ -75,7 +75,7 @@ TEST(SolutionLevels, AreSharedByLayersThatAreAlike) {
 }
 
 Medium air_with_a_cloud() {
-    Medium medium = make_medium(test::preset_atmosphere("earth_hillaire"));
+    Medium medium = test::preset_medium("earth_hillaire");
     PiecewiseLayer cloud;
     cloud.scattering_per_km = cloud.extinction_per_km = Spectrum(3.0);
     cloud.pieces = {{2, 3, 1, 1, 0}};
@@ -85,7 +85,7 @@ Medium air_with_a_cloud() {
 
 // Within an abrupt layer light is read by cubics between the levels, and nowhere else.
 TEST(ReadingLevels, AreCubicsWithinAbruptLayers) {
-    const Medium air = make_medium(test::preset_atmosphere("earth_hillaire"));
+    const Medium air = test::preset_medium("earth_hillaire");
     const std::vector<double> smooth = solution_levels_km(air, 1);
     EXPECT_EQ(ReadingLevels(air, smooth).altitudes_km(), smooth);
 
@@ -137,7 +137,7 @@ TEST(ReadingLevels, HoldNoLightBelowNothing) {
 // A table of many altitudes needs no more levels than the exponential that it is taken from, and
 // where its slope jumps or it ends it has a level.
 TEST(SolutionLevels, OfSmoothTablesAreAsManyAsOfExponentials) {
-    Medium tabulated = make_medium(test::preset_atmosphere("earth_hillaire"));
+    Medium tabulated = test::preset_medium("earth_hillaire");
     const std::vector<double> of_exponential = solution_levels_km(tabulated, 1);
     const auto highest = std::max_element(
         tabulated.exponential_layers.begin(), tabulated.exponential_layers.end(),

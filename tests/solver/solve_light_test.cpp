@@ -5,12 +5,14 @@
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "bakers/light/higher_orders.h"
 #include "bakers/light/sky_radiance.h"
 #include "bakers/light/solver/energy_balance.h"
 #include "tests/light/sky_media.h"
+#include "tests/support/loops.h"
 
 namespace skybake {
 namespace {
@@ -28,17 +30,30 @@ SolverSettings coarse() {
     return settings;
 }
 
+// Calls a function of (level, sun, channel) for each mean radiance.
+void for_each_mean(const SolvedLight& light,
+                   const std::function<void(int, int, std::size_t)>& visit) {
+    testing::for_each_voxel(
+        {3, light.light.suns, light.light.levels},
+        [&](int c, int sun, int level) { visit(level, sun, static_cast<std::size_t>(c)); });
+}
+
+// Air of three channels.
+SkyMedium medium_of(const char* air) {
+    const config::Recipe recipe =
+        test::recipe_of(air, {"wavelengths=[\"680 nm\", \"550 nm\", \"440 nm\"]"});
+    return make_sky_medium(recipe.parameters.atmosphere);
+}
+
 RC_GTEST_PROP(SolvedLight, IsFiniteAndNotNegative, ()) {
     const SkyMedium medium = make_sky_medium(test::random_atmosphere());
     const SolvedLight light = solve_light(medium, coarse(), 1);
     RC_ASSERT(light.left_out <= 1e-2);
     for (const double value : light.light.moments) RC_ASSERT(std::isfinite(value));
     for (const double value : light.light.sky_irradiance) RC_ASSERT(std::isfinite(value));
-    for (int level = 0; level < light.light.levels; ++level) {
-        for (int sun = 0; sun < light.light.suns; ++sun) {
-            for (std::size_t c = 0; c < 3; ++c) RC_ASSERT(light.light.at(level, sun)[c] >= 0);
-        }
-    }
+    for_each_mean(light, [&](int level, int sun, std::size_t c) {
+        RC_ASSERT(light.light.at(level, sun)[c] >= 0);
+    });
 }
 
 // Found by the property above: a layer of an optical depth of 10 in red within haze and air. Under suns below
@@ -71,18 +86,11 @@ phase = "rayleigh"
 )";
 
 TEST(SolvedLight, IsLightByNightBelowThickLayers) {
-    const config::Recipe recipe =
-        test::recipe_of(kThickLayerInHaze, {"wavelengths=[\"680 nm\", \"550 nm\", \"440 nm\"]"});
-    const SkyMedium medium = make_sky_medium(recipe.parameters.atmosphere);
-    const SolvedLight light = solve_light(medium, coarse(), 0);
-    for (int level = 0; level < light.light.levels; ++level) {
-        for (int sun = 0; sun < light.light.suns; ++sun) {
-            for (std::size_t c = 0; c < 3; ++c) {
-                // Where the mean was negative the light of the first solution stays.
-                EXPECT_GT(light.light.at(level, sun)[c], 0) << level << ' ' << sun << ' ' << c;
-            }
-        }
-    }
+    const SolvedLight light = solve_light(medium_of(kThickLayerInHaze), coarse(), 0);
+    for_each_mean(light, [&](int level, int sun, std::size_t c) {
+        // Where the mean was negative the light of the first solution stays.
+        EXPECT_GT(light.light.at(level, sun)[c], 0) << level << ' ' << sun << ' ' << c;
+    });
 }
 
 // Found by the property above, among one in a hundred random airs: estimates that were far too dark under
@@ -126,9 +134,7 @@ phase = "rayleigh"
 
 TEST(SolvedLight, ConvergesWhereTheFirstEstimateIsFarTooDark) {
     for (const char* air : {kThinAir, kThreeHighLayers}) {
-        const config::Recipe recipe =
-            test::recipe_of(air, {"wavelengths=[\"680 nm\", \"550 nm\", \"440 nm\"]"});
-        const SkyMedium medium = make_sky_medium(recipe.parameters.atmosphere);
+        const SkyMedium medium = medium_of(air);
         for (const SolverSettings& settings : {coarse(), SolverSettings()}) {
             const SolvedLight light = solve_light(medium, settings, 1);
             EXPECT_LE(light.left_out, 1e-2);
@@ -282,15 +288,11 @@ TEST(SolvedLight, SearchFindsTheSumOfOrders) {
     const SolvedLight found = solve_light(medium, search, 0);
     const SolvedLight summed = solve_light(medium, plain, 0);
     EXPECT_LT(found.applications, 20);
-    for (int level = 0; level < found.light.levels; ++level) {
-        for (int sun = 0; sun < found.light.suns; ++sun) {
-            for (std::size_t c = 0; c < 3; ++c) {
-                const double value = summed.light.at(level, sun)[c];
-                if (value < 1e-9) continue;
-                EXPECT_NEAR(found.light.at(level, sun)[c] / value, 1, 1e-4);
-            }
-        }
-    }
+    for_each_mean(found, [&](int level, int sun, std::size_t c) {
+        const double value = summed.light.at(level, sun)[c];
+        if (value < 1e-9) return;
+        EXPECT_NEAR(found.light.at(level, sun)[c] / value, 1, 1e-4);
+    });
 }
 
 }  // namespace

@@ -6,11 +6,11 @@
 #include <complex>
 #include <cstddef>
 #include <numbers>
-#include <random>
 #include <vector>
 
 #include "bakers/light/solver/needed_degrees.h"
 #include "bakers/light/solver/transport.h"
+#include "tests/certificates/random_cases.h"
 #include "tests/noise/every_target.h"
 
 namespace skybake {
@@ -23,17 +23,6 @@ template <class Number>
 constexpr double kRounding = 1e-5;
 template <>
 constexpr double kRounding<double> = 1e-12;
-
-class Dice {
-  public:
-    explicit Dice(unsigned seed) : engine_(seed) {}
-    double between(double low, double high) {
-        return low + (high - low) * static_cast<double>(engine_()) / 4294967296.0;
-    }
-
-  private:
-    std::mt19937 engine_;
-};
 
 // The input of a level's transport: light without any order from sun to sun, and rays to it.
 struct TransportCase {
@@ -56,9 +45,9 @@ struct TransportCase {
         : suns(make_sun_axis(shell, sun_count)),
           light(kLevels, sun_count, degree),
           steep(static_cast<std::size_t>(sun_count), 0.0) {
-        Dice dice(seed);
-        for (double& value : light.moments) value = dice.between(0.1, 2);
-        for (double& value : light.sky_irradiance) value = dice.between(0.1, 2);
+        test::RandomCase dice(seed);
+        for (double& value : light.moments) value = dice.uniform(0.1, 2);
+        for (double& value : light.sky_irradiance) value = dice.uniform(0.1, 2);
         for (int i = 0; i < 4; ++i) add_ray(dice);
     }
 
@@ -79,26 +68,26 @@ struct TransportCase {
     }
 
   private:
-    void add_ray(Dice& dice) {
+    void add_ray(test::RandomCase& dice) {
         TransportRay ray;
-        ray.mu = dice.between(-1, 1);
-        ray.weight = dice.between(0, 0.3);
+        ray.mu = dice.uniform(-1, 1);
+        ray.weight = dice.uniform(0, 0.3);
         for (const bool ground : {false, false, false, true}) {
             TransportNode node;
             node.ground = ground;
-            node.level = static_cast<int>(dice.between(0, kLevels));
-            node.fraction = !ground && node.level + 1 < kLevels ? dice.between(0, 1) : 0;
-            const double turn = dice.between(0, 0.7);
+            node.level = static_cast<int>(dice.uniform(0, kLevels));
+            node.fraction = !ground && node.level + 1 < kLevels ? dice.uniform(0, 1) : 0;
+            const double turn = dice.uniform(0, 0.7);
             node.turn_cosine = std::cos(turn);
             node.turn_sine = std::sin(turn);
             const int degrees[] = {light.degree, kDegreeOfHaze, kDegreeOfAir};
-            node.degree = std::min(light.degree, degrees[static_cast<int>(dice.between(0, 3))]);
-            node.azimuths = std::max(4, node.degree + 1) << (dice.between(0, 2) < 1 ? 0 : 1);
+            node.degree = std::min(light.degree, degrees[static_cast<int>(dice.uniform(0, 3))]);
+            node.azimuths = std::max(4, node.degree + 1) << (dice.uniform(0, 2) < 1 ? 0 : 1);
             node.weights = weights.size();
             weights.emplace_back();
             const int groups = ground ? 1 : moment_count(node.degree);
             for (std::size_t i = 0; i < static_cast<std::size_t>(groups) * kChannelSlots; ++i) {
-                weights.back().push_back(dice.between(-1, 1));
+                weights.back().push_back(dice.uniform(-1, 1));
             }
             ray.nodes.push_back(node);
         }
@@ -333,9 +322,9 @@ TEST(TransportKernel, SteepStencilsFollowTheFallOfLight) {
     for (const Shell& shell : {kEarth, kHighAir}) {
         TransportCase any(shell, 16, 4, 7);
         std::fill(any.steep.begin(), any.steep.end(), 1.0);
-        Dice dice(8);
-        for (int i = 0; i < kLevels * 16; ++i) any.falls.push_back(-dice.between(0, 4));
-        for (int i = 0; i < 16; ++i) any.ground_falls.push_back(-dice.between(0, 4));
+        test::RandomCase dice(8);
+        for (int i = 0; i < kLevels * 16; ++i) any.falls.push_back(-dice.uniform(0, 4));
+        for (int i = 0; i < 16; ++i) any.ground_falls.push_back(-dice.uniform(0, 4));
         expect_right(any);
     }
 }

@@ -9,6 +9,7 @@
 #include "bakers/light/sky_radiance.h"
 #include "bakers/light/solver/solve_light.h"
 #include "tests/light/sky_media.h"
+#include "tests/path_tracer/path_media.h"
 #include "tests/support/number_rows.h"
 
 namespace skybake {
@@ -21,8 +22,7 @@ std::vector<std::vector<double>> rows_of(const std::string& name) {
 }
 
 SkyMedium black_earth() {
-    return make_sky_medium(
-        test::preset_atmosphere("earth_hillaire", {"atmosphere.ground_albedo=0"}));
+    return test::preset_sky("earth_hillaire", {"atmosphere.ground_albedo=0"});
 }
 
 TEST(SolvedLightTruth, MeanRadiance) {
@@ -56,12 +56,8 @@ Errors sky_errors(const SkyMedium& medium, const HigherOrders& orders,
     std::vector<double> errors;
     for (const std::vector<double>& row : truth) {
         if (row[1] > last_sun) continue;
-        const auto turns = [](double degrees) { return degrees * test::kDegree; };
-        const SunZenith sun{std::cos(turns(row[1])), std::sin(turns(row[1]))};
-        const SkyRadiance radiance =
-            integrator.radiance(row[0], sun,
-                                sky_direction(sun, std::cos(turns(row[2])), std::sin(turns(row[2])),
-                                              std::cos(turns(row[3]))));
+        const test::View view = test::view_at(row[0], row[1], row[2], row[3]);
+        const SkyRadiance radiance = integrator.radiance(row[0], view.sun, view.direction);
         const auto c = static_cast<std::size_t>(row[4]);
         errors.push_back(std::fabs((radiance.single[c] + radiance.multiple[c]) / row[11] - 1));
     }
@@ -101,7 +97,7 @@ TEST(SolvedLightTruth, Sky) {
 // percentiles of 0.9, 0.5 and 0.1 % up to 96 degrees and of 2.6, 1.8 and 0.2 % beyond. Cells as long
 // as by day, with as few directions, leave 2.1, 1.2 and 0.1 %, and 6.5, 4.3 and 0.2 %.
 TEST(SolvedLightTruth, TwilightFromHigh) {
-    const SkyMedium medium = make_sky_medium(test::preset_atmosphere("earth_hillaire"));
+    const SkyMedium medium = test::preset_sky("earth_hillaire");
     const auto truth = rows_of("truth_sky_earth_twilight.csv");
     const SolvedLight light = solve_light(medium, {}, 0);
     const SolvedOrders orders(medium, light, light.degree());
@@ -124,19 +120,15 @@ TEST(SolvedLightTruth, TwilightFromHigh) {
 
 // In a shell of 125 scale heights rays in the thin air above the tenth are cut as below it.
 TEST(SolvedLightTruth, RaysOfTallShells) {
-    const SkyMedium medium = make_sky_medium(
-        test::preset_atmosphere("earth_hillaire", {"atmosphere.top_radius=\"7360 km\""}));
+    const SkyMedium medium =
+        test::preset_sky("earth_hillaire", {"atmosphere.top_radius=\"7360 km\""});
     const SkyIntegrator integrator(medium, nullptr);
     const Shell shell = shell_of(medium.air);
     for (const double altitude_km : {60.0, 85.0, 110.0, 150.0}) {
         for (const double sun_degrees : {30.0, 88.0, 94.0, 97.0}) {
             for (const double view_degrees : {60.0, 90.0, 93.0, 97.0}) {
-                const SunZenith sun{std::cos(sun_degrees * test::kDegree),
-                                    std::sin(sun_degrees * test::kDegree)};
-                const SkyRay ray =
-                    sky_ray(shell, altitude_km, sun,
-                            sky_direction(sun, std::cos(view_degrees * test::kDegree),
-                                          std::sin(view_degrees * test::kDegree), 0.5));
+                const test::View view = test::view_at(altitude_km, sun_degrees, view_degrees, 60);
+                const SkyRay ray = sky_ray(shell, altitude_km, view.sun, view.direction);
                 std::vector<double> fine;
                 for (int i = 1; i <= 300; ++i) fine.push_back(ray.length_km * i / 300);
                 const double expected = integrator.up_to(ray, fine).back().single[1];

@@ -17,9 +17,19 @@ inline config::Recipe recipe_of(const std::string& text,
     return test::without_errors(config::parse_recipe(text, "test.toml", {}, settings));
 }
 
+inline config::Atmosphere preset_atmosphere(const std::string& name,
+                                            const std::vector<std::string>& settings = {}) {
+    return recipe_of("preset = \"" + name + "\"\n", settings).parameters.atmosphere;
+}
+
 inline Medium preset_medium(const std::string& name,
                             const std::vector<std::string>& settings = {}) {
-    return make_medium(recipe_of("preset = \"" + name + "\"\n", settings).parameters.atmosphere);
+    return make_medium(preset_atmosphere(name, settings));
+}
+
+inline SkyMedium preset_sky(const std::string& name,
+                            const std::vector<std::string>& settings = {}) {
+    return make_sky_medium(preset_atmosphere(name, settings));
 }
 
 inline const std::vector<std::string>& preset_list() {

@@ -11,18 +11,18 @@
 
 namespace skybake::test {
 
-// Returns the rows of a CSV file, without its comments (#) and its head.
-inline std::vector<std::vector<double>> number_rows(const std::string& path) {
+// Returns the rows of a CSV file, without its comments (#), its head and its first columns of texts.
+inline std::vector<std::vector<double>> number_rows(const std::string& path, int texts = 0) {
     std::ifstream file(path);
     EXPECT_TRUE(file) << path;
     std::vector<std::vector<double>> rows;
     for (std::string line; std::getline(file, line);) {
-        if (line.empty() || line[0] == '#' || std::isalpha(line[0])) continue;
         std::istringstream cells(line);
+        std::string cell;
+        for (int i = 0; i < texts; ++i) std::getline(cells, cell, ',');
+        if (line.empty() || line[0] == '#' || std::isalpha(cells.peek())) continue;
         rows.emplace_back();
-        for (std::string cell; std::getline(cells, cell, ',');) {
-            rows.back().push_back(std::stod(cell));
-        }
+        while (std::getline(cells, cell, ',')) rows.back().push_back(std::stod(cell));
     }
     return rows;
 }

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "config/diagnostics/diagnostic.h"
 
@@ -20,6 +22,13 @@ T without_errors(config::Outcome<T> outcome,
         }
     }
     return outcome.value ? std::move(*outcome.value) : T{};
+}
+
+// Codes of diagnostics, each with a blank behind it.
+inline std::string codes_of(const std::vector<config::Diagnostic>& diagnostics) {
+    std::string codes;
+    for (const config::Diagnostic& one : diagnostics) codes += one.code + " ";
+    return codes;
 }
 
 // Returns the value of an outcome about which no diagnostic is said.

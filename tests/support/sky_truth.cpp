@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 
 #include "bakers/light/path_tracer/path_tracer.h"
@@ -11,54 +10,13 @@
 namespace skybake {
 namespace {
 
-// Truths are of red, green and blue.
-constexpr int kTruthChannels = 3;
-
 constexpr std::string_view kColumns =
     "h_km,sun_zenith_deg,view_zenith_deg,azimuth_deg,channel,L1,L2,L3,L4,L5,L6plus,L_total,"
     "stderr_total";
-constexpr std::size_t kColumnCount = 13;
 
 // Exact at 90 and 0 degrees.
 double cosine_deg(double angle) { return cosine_of_pi(angle / 180); }
 double sine_deg(double angle) { return cosine_of_pi(std::fabs(90 - angle) / 180); }
-
-// Cuts the text up to `separator`, or all of it, off its beginning.
-std::string_view cut(std::string_view& text, char separator) {
-    const std::size_t end = text.find(separator);
-    const std::string_view head = text.substr(0, end);
-    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
-    return head;
-}
-
-std::optional<double> parse_number(std::string_view text) {
-    double value = 0;
-    const char* end = text.data() + text.size();
-    const auto [parsed, error] = std::from_chars(text.data(), end, value);
-    if (error != std::errc() || parsed != end || !std::isfinite(value)) return std::nullopt;
-    return value;
-}
-
-std::optional<SkyTruth> parse_line(std::string_view line) {
-    std::array<double, kColumnCount> numbers{};
-    for (std::size_t i = 0; i < kColumnCount; ++i) {
-        const bool last = i + 1 == kColumnCount;
-        const auto value = parse_number(last ? line : cut(line, ','));
-        if (!value) return std::nullopt;
-        numbers[i] = *value;
-    }
-    const double channel = numbers[4];
-    if (!(channel >= 0 && channel < kTruthChannels) || channel != std::floor(channel)) {
-        return std::nullopt;
-    }
-    SkyTruth truth;
-    truth.direction = {numbers[0], numbers[1], numbers[2], numbers[3]};
-    truth.channel = static_cast<int>(channel);
-    for (std::size_t n = 0; n < kPathOrders; ++n) truth.orders[n] = numbers[5 + n];
-    truth.radiance = numbers[11];
-    truth.standard_error = numbers[12];
-    return truth;
-}
 
 }  // namespace
 
@@ -121,18 +79,6 @@ std::string sky_truth_csv(const std::vector<SkyTruth>& values, std::string_view 
         text += fmt::format(",{},{}\n", value.radiance, value.standard_error);
     }
     return text;
-}
-
-std::optional<std::vector<SkyTruth>> parse_sky_truth_csv(std::string_view text) {
-    while (text.starts_with('#')) cut(text, '\n');
-    if (cut(text, '\n') != kColumns) return std::nullopt;
-    std::vector<SkyTruth> values;
-    while (!text.empty()) {
-        const auto value = parse_line(cut(text, '\n'));
-        if (!value) return std::nullopt;
-        values.push_back(*value);
-    }
-    return values;
 }
 
 }  // namespace skybake

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -60,9 +59,5 @@ std::vector<SkyTruth> trace_sky_truth(const SkyMedium& medium,
 //   h_km,sun_zenith_deg,view_zenith_deg,azimuth_deg,channel,L1,L2,L3,L4,L5,L6plus,L_total,stderr_total
 // Numbers have as many digits as it takes to read back the same values.
 std::string sky_truth_csv(const std::vector<SkyTruth>& values, std::string_view comment);
-
-// Returns nothing if the text is not such a table: wrong columns, too few or too many of them, or
-// no numbers.
-std::optional<std::vector<SkyTruth>> parse_sky_truth_csv(std::string_view text);
 
 }  // namespace skybake

@@ -57,6 +57,12 @@ inline std::vector<std::vector<float>> planes_of(const VoxelSource& source, cons
     return planes;
 }
 
+// Returns those of a whole level.
+inline std::vector<std::vector<float>> planes_of(const Baked& volume) {
+    const Level& level = volume.levels.front();
+    return planes_of(*level.voxels, {{}, level.size}, volume.channel_names.size());
+}
+
 // Whether the voxels of a box are those of the whole volume of this size, channel by channel.
 inline bool is_part_of(const std::vector<std::vector<float>>& whole, const VoxelSource& source,
                        const std::array<int, 3>& size, const VoxelBox& box) {

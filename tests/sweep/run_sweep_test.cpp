@@ -4,9 +4,9 @@
 
 #include <set>
 
-#include "bakers/workspace/bake_folder.h"
 #include "bakers/workspace/sweep/index_files.h"
 #include "bakers/workspace/sweep/variants.h"
+#include "tests/incremental/bakes.h"
 #include "tests/sweep/sweeps.h"
 
 namespace skybake {
@@ -23,7 +23,7 @@ struct Fixture {
     TemporaryFolder folder;
     fs::path recipe = folder / "r.toml";
 
-    Fixture() { write_bytes(recipe, small_recipe); }
+    Fixture() { write_bytes(recipe, swept_recipe); }
     SweepJob job(const Strings& vary, const std::string& out = "out") const {
         return job_of(recipe, vary, folder / out);
     }
@@ -60,18 +60,7 @@ TEST(RunSweep, AVariantIsWhatABakeOfItWouldBe) {
     const auto recipe = config::load_variant(job.recipe, {}, job.sweep, 4);
     ASSERT_TRUE(recipe.value);
     FolderBake bake = variant_bake(job, *recipe.value, "alone");
-    struct : BakeObserver {
-        struct Step : Progress {
-            void advance(std::string_view, double) override {}
-            bool cancelled() const override { return false; }
-        };
-        bool cancelled() const override { return false; }
-        void waits() override {}
-        void planned(const FolderPlan&) override {}
-        std::unique_ptr<Progress> begin(std::string_view) override {
-            return std::make_unique<Step>();
-        }
-    } observer;
+    RememberingObserver observer;
     ASSERT_TRUE(bake_folder(bake, observer).value);
     EXPECT_EQ(files_below(job.folder / "alone"), files_below(job.folder / results[4].name));
 }
@@ -161,7 +150,7 @@ TEST(RunSweep, AFailingVariantFailsAlone) {
 // A baker's own failure: the value is in range, and the file cannot hold what it makes.
 TEST(RunSweep, AFailureInABakeIsKeptUntilTheVariantSucceeds) {
     const Fixture fixture;
-    const std::string recipe = small_recipe + "pixel_type = \"half\"\n";
+    const std::string recipe = swept_recipe + "pixel_type = \"half\"\n";
     const Strings vary = {"noise.n.channels.Y.remap=[[0, 1, 0, 1], [0, 1, 0, 1e6]]"};
     write_bytes(fixture.recipe, recipe);
     SweepJob job = fixture.job(vary);
@@ -223,7 +212,7 @@ TEST(RunSweep, ARecipeThatChangesMeanwhileFailsWhatIsNotMade) {
     const Fixture fixture;
     const SweepJob job = fixture.job(six);
     auto plan = plan_sweep(job, [] { return false; });
-    write_bytes(fixture.recipe, small_recipe + "pixel_type = \"float\"\n");
+    write_bytes(fixture.recipe, swept_recipe + "pixel_type = \"float\"\n");
     CountingObserver observer;
     const auto results = run_sweep(job, std::move(plan), observer);
     ASSERT_EQ(count(results, VariantStatus::failed), 6);

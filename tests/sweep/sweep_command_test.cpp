@@ -19,21 +19,25 @@ namespace {
 
 namespace fs = std::filesystem;
 using skybake::testing::files_below;
-using skybake::testing::small_recipe;
+using skybake::testing::swept_recipe;
 using Strings = std::vector<std::string>;
 
 struct Folder {
     TemporaryFolder folder;
     std::string recipe = (folder / "r.toml").string();
 
-    explicit Folder(const std::string& text = small_recipe) { write_bytes(recipe, text); }
+    explicit Folder(const std::string& text = swept_recipe) { write_bytes(recipe, text); }
     std::string out(const std::string& name = "out") const { return (folder / name).string(); }
-    Strings words(const Strings& more) const {
-        Strings words = {"sweep", recipe, "-o", out()};
+    Strings words(const Strings& vary, const Strings& more = {},
+                  const std::string& to = "out") const {
+        Strings words = {"sweep", recipe, "-o", out(to)};
+        words.insert(words.end(), vary.begin(), vary.end());
         words.insert(words.end(), more.begin(), more.end());
         return words;
     }
-    Result sweep(const Strings& more) const { return run_words(words(more)); }
+    Result sweep(const Strings& vary, const Strings& more = {}) const {
+        return run_words(words(vary, more));
+    }
 };
 
 TEST(SweepCommand, BakesAndWritesItsIndex) {
@@ -60,7 +64,7 @@ TEST(SweepCommand, BakesAndWritesItsIndex) {
 // Whoever bakes a hundred variants of a coarse noise reads so once.
 TEST(SweepCommand, SaysTheSameWarningOfManyVariantsOnce) {
     const Folder folder(
-        std::regex_replace(small_recipe, std::regex("frequency = 2"), "frequency = 4"));
+        std::regex_replace(swept_recipe, std::regex("frequency = 2"), "frequency = 4"));
     const auto warnings = [](const std::string& text) {
         std::size_t count = 0;
         for (std::size_t at = 0; (at = text.find("W0203", at)) != std::string::npos; ++at) ++count;
@@ -99,10 +103,10 @@ TEST(SweepCommand, ListsWhatIsMadeOnceForAllVariants) {
 }
 
 TEST(SweepCommand, ListsWhatFailedLastTime) {
-    const Folder folder(small_recipe + "pixel_type = \"half\"\n");
+    const Folder folder(swept_recipe + "pixel_type = \"half\"\n");
     const Strings vary = {"--vary", "noise.n.channels.Y.remap=[[0, 1, 0, 1], [0, 1, 0, 1e6]]"};
     EXPECT_EQ(folder.sweep(vary).code, 4);
-    const Result list = folder.sweep({vary[0], vary[1], "--dry-run"});
+    const Result list = folder.sweep(vary, {"--dry-run"});
     EXPECT_EQ(list.code, 0);
     EXPECT_TRUE(contains(list.out, "; it failed last time: E0402: ")) << list.out;
     EXPECT_EQ(count_lines(list.out), 2);
@@ -117,7 +121,7 @@ TEST(SweepCommand, MentionsFoldersOfEarlierValues) {
         "2 folders are no longer in the sweep; kept: 0001_seed=2, 0002_seed=3\n";
     const Result swept = folder.sweep(fewer);
     EXPECT_TRUE(contains(swept.error, note)) << swept.error;
-    const Result merged = folder.sweep({fewer[0], fewer[1], "--merge"});
+    const Result merged = folder.sweep(fewer, {"--merge"});
     EXPECT_TRUE(contains(merged.error, note)) << merged.error;
     const Result all = folder.sweep({"--vary", "noise.n.seed=1,2,3"});
     expect_has(all.error, {"1 folder is no longer in the sweep; kept: 0001_seed=5\n"});
@@ -149,20 +153,16 @@ TEST(SweepCommand, AFailingVariantEndsInExitCode4) {
 
 // A fault of all variants is a fault of the recipe, and said once.
 TEST(SweepCommand, AFaultOfTheRecipeIsNoFailureOfItsVariants) {
-    const Folder folder(small_recipe + "nonsense = 1\n");
+    const Folder folder(swept_recipe + "nonsense = 1\n");
     expect_said(folder.sweep({"--vary", "clouds.c.coverage=0.5,0.6"}), 2, {"E0102"});
     EXPECT_FALSE(fs::exists(folder.out()));
 }
 
 TEST(SweepCommand, RefusesWhatMakesNoSense) {
     const Folder folder;
-    const auto code = [&](const Strings& more) { return folder.sweep(more).code; };
-    EXPECT_EQ(code({}), 2);
-    const Strings vary = {"--vary", "noise.n.seed=1,2"};
+    EXPECT_EQ(folder.sweep({}).code, 2);
     const auto with = [&](const Strings& more) {
-        Strings words = vary;
-        words.insert(words.end(), more.begin(), more.end());
-        return code(words);
+        return folder.sweep({"--vary", "noise.n.seed=1,2"}, more).code;
     };
     for (const char* shard : {"0/2", "3/2", "1", "1/", "/2", "a/b", "1/2/3", "-1/2", ""}) {
         EXPECT_EQ(with({"--shard", shard}), 2) << shard;
@@ -183,21 +183,16 @@ TEST(SweepCommand, RefusesTheFolderOfABake) {
     const Strings vary = {"--vary", "noise.n.seed=1,2"};
     ASSERT_EQ(run_words({"bake", folder.recipe, "-o", folder.out()}).code, 0);
     for (const Strings& more : {Strings{}, Strings{"--shard", "1/2"}, Strings{"--dry-run"}}) {
-        Strings words = vary;
-        words.insert(words.end(), more.begin(), more.end());
-        expect_said(folder.sweep(words), 3, {"E0303", "holds a bake"});
+        expect_said(folder.sweep(vary, more), 3, {"E0303", "holds a bake"});
     }
     EXPECT_FALSE(fs::exists(folder.out("out/0000_seed=1")));
-    EXPECT_EQ(folder.sweep({vary[0], vary[1], "--force"}).code, 0);
+    EXPECT_EQ(folder.sweep(vary, {"--force"}).code, 0);
 }
 
 TEST(SweepCommand, ShardsThenMerge) {
     const Folder folder;
-    const Strings vary = {"--vary", "noise.n.seed=1,2,3"};
     const auto with = [&](const Strings& more) {
-        Strings words = vary;
-        words.insert(words.end(), more.begin(), more.end());
-        return folder.sweep(words);
+        return folder.sweep({"--vary", "noise.n.seed=1,2,3"}, more);
     };
     expect_said(with({"--shard", "1/2"}), 0, {"3 variants, 2 in this shard"});
     EXPECT_FALSE(fs::exists(folder.out() + "/index.csv"));
@@ -230,10 +225,8 @@ TEST(SweepTasks, WordsSurviveTheShell) {
 TEST(SweepTasks, CommandsAreTheSweep) {
     const Folder folder;
     const Strings vary = {"--vary", "clouds.c.base_altitude=1 km,'2 km',3 km"};
-    const auto with = [&](Strings words, const std::string& out) {
-        words.insert(words.begin(), {"sweep", folder.recipe, "-o", folder.out(out)});
-        words.insert(words.end(), vary.begin(), vary.end());
-        return words;
+    const auto with = [&](const Strings& more, const std::string& out) {
+        return folder.words(vary, more, out);
     };
     EXPECT_EQ(run_words(with({}, "whole")).code, 0);
     const Result script =
@@ -310,18 +303,14 @@ TEST(SweepCommand, GoesOnAfterAKill) {
     }
     const int there = manifests_in(folder.out());
     EXPECT_GE(there, 30);
-    Strings json = words;
-    json.insert(json.end(), {"--json", "-q"});
-    const Result rest = run_words(json);
+    const Result rest = folder.sweep(vary, {"--json", "-q"});
     EXPECT_EQ(rest.code, 0);
     const auto last =
         nlohmann::json::parse(rest.out.substr(rest.out.rfind("{\"event\":\"swept\"")));
     EXPECT_EQ(last["done"], 40);
     // Variants with a manifest were complete, but for those that were at work when it was killed.
     EXPECT_LE(last["made"], 40 - there + 2 * static_cast<int>(std::thread::hardware_concurrency()));
-    Strings fresh = {"sweep", folder.recipe, "-o", folder.out("fresh"), "-q"};
-    fresh.insert(fresh.end(), vary.begin(), vary.end());
-    EXPECT_EQ(run_words(fresh).code, 0);
+    EXPECT_EQ(run_words(folder.words(vary, {"-q"}, "fresh")).code, 0);
     EXPECT_EQ(files_below(folder.out()), files_below(folder.out("fresh")));
 }
 

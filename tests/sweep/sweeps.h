@@ -17,7 +17,7 @@
 namespace skybake::testing {
 
 // A noise that is baked, and a cloud of it.
-inline const std::string small_recipe =
+inline const std::string swept_recipe =
     "[noise.n.channels.Y]\ntype = \"worley\"\nfrequency = 2\noctaves = 1\n"
     "[clouds.c]\nnoise = \"n\"\nextent = [\"6 km\", \"6 km\", \"1 km\"]\n"
     "[bake.n]\nasset = \"noise_volume\"\nnoise = \"n\"\nsize = [8, 8, 8]\n"

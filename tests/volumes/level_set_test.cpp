@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "bakers/io/volumes/volume_reader.h"
+#include "tests/support/refused.h"
 #include "tests/support/volumes.h"
 #include "tests/volumes/vdb_files.h"
 
@@ -48,12 +49,10 @@ double fog_of_ball(double radius, double width) {
 }
 
 TEST(LevelSet, IsTheFogOfOpenVdb) {
-    const TemporaryFolder folder;
     for (const float voxel : {0.25F, 1.0F, 10.0F}) {
         for (const float width : {2.0F, half_width, 5.5F}) {
             const FloatGrid::Ptr grid = ball(20 * voxel, voxel, width);
-            write_grid(grid, folder / "v.vdb");
-            const FileVoxels file = opened(folder / "v.vdb");
+            const FileVoxels file = testing::written(grid);
             EXPECT_EQ(file.background, 0);
             EXPECT_EQ(file.largest, 1);
             expect_same_voxels(*fog_of(*grid), file, {{-30, -40, -30}, {70, 70, 60}}, rounding);
@@ -63,10 +62,8 @@ TEST(LevelSet, IsTheFogOfOpenVdb) {
 
 // A ball that is large enough for tiles of its inside on several levels.
 TEST(LevelSet, HasTilesInside) {
-    const TemporaryFolder folder;
     const FloatGrid::Ptr grid = ball(150, 1);
-    write_grid(grid, folder / "v.vdb");
-    const FileVoxels file = opened(folder / "v.vdb");
+    const FileVoxels file = testing::written(grid);
     const FloatGrid::Ptr fog = fog_of(*grid);
     for (const int x : {-150, -147, -80, 0, 64, 128, 150}) {
         expect_same_voxels(*fog, file, {{x, -160, -150}, {2, 320, 20}}, rounding);
@@ -77,10 +74,8 @@ TEST(LevelSet, HasTilesInside) {
 }
 
 TEST(LevelSet, HasTheVolumeOfTheBall) {
-    const TemporaryFolder folder;
     for (const double radius : {6.0, 12.0, 24.0, 48.0}) {
-        write_grid(ball(static_cast<float>(radius), 1), folder / "v.vdb");
-        const double found = sum_of(opened(folder / "v.vdb"));
+        const double found = sum_of(testing::written(ball(static_cast<float>(radius), 1)));
         const double wanted = fog_of_ball(radius, half_width);
         std::printf("radius %.0f voxels: volume off by %.2g\n", radius, found / wanted - 1);
         EXPECT_NEAR(found / wanted, 1, 0.02 / radius);
@@ -89,11 +84,10 @@ TEST(LevelSet, HasTheVolumeOfTheBall) {
 
 // A ball whose middle is nearer to its surface than the half width of the band has no tile inside.
 TEST(LevelSet, KeepsItsRampWhereItIsThin) {
-    const TemporaryFolder folder;
     constexpr double radius = 3.7;
     constexpr double width = 6;
-    write_grid(ball(static_cast<float>(radius), 1, static_cast<float>(width)), folder / "v.vdb");
-    const FileVoxels file = opened(folder / "v.vdb");
+    const FileVoxels file =
+        testing::written(ball(static_cast<float>(radius), 1, static_cast<float>(width)));
     EXPECT_NEAR(sum_of(file) / fog_of_ball(radius, width), 1, 0.02);
     EXPECT_LT(file.largest, radius / width);
     EXPECT_GT(file.largest, (radius - std::sqrt(3.0) / 2) / width);
@@ -101,23 +95,19 @@ TEST(LevelSet, KeepsItsRampWhereItIsThin) {
 
 // The band may be narrower inside than outside: the inside is what counts.
 TEST(LevelSet, TakesTheHalfWidthInside) {
-    const TemporaryFolder folder;
     const FloatGrid::Ptr grid = ball(20, 1);
     for (auto value = grid->beginValueAll(); value; ++value) {
         value.setValue(std::max(value.getValue(), -2.0F));
     }
-    write_grid(grid, folder / "v.vdb");
-    const FileVoxels file = opened(folder / "v.vdb");
+    const FileVoxels file = testing::written(grid);
     expect_same_voxels(*fog_of(*grid), file, {file.first, file.size}, rounding);
     EXPECT_NEAR(sum_of(file) / fog_of_ball(20, 2), 1, 0.001);
 }
 
 TEST(LevelSet, IsReadFromHalves) {
-    const TemporaryFolder folder;
     const FloatGrid::Ptr grid = ball(200, 10);
     grid->setSaveFloatAsHalf(true);
-    write_grid(grid, folder / "v.vdb");
-    const FileVoxels file = opened(folder / "v.vdb");
+    const FileVoxels file = testing::written(grid);
     constexpr float step = 1.0F / 1024;  // of halves, relative to the half width of 30
     expect_same_voxels(*fog_of(*grid), file, {file.first, file.size}, step);
 }
@@ -147,10 +137,9 @@ TEST(LevelSet, IsRefusedWithoutAHalfWidth) {
         }
         grid->setGridClass(openvdb::GRID_LEVEL_SET);
         write_grid(grid, folder / "v.vdb");
-        const auto file = open_vdb_grid(folder / "v.vdb", "density", VolumePart::shape);
-        ASSERT_FALSE(file.value);
-        EXPECT_EQ(file.diagnostics.at(0).code, "E0304");
-        EXPECT_TRUE(file.diagnostics.at(0).message.ends_with("its level set has no half width"));
+        const config::Diagnostic said = test::expect_refused(
+            open_vdb_grid(folder / "v.vdb", "density", VolumePart::shape), "E0304");
+        EXPECT_TRUE(said.message.ends_with("its level set has no half width"));
     }
 }
 
@@ -159,10 +148,9 @@ TEST(LevelSet, IsRefusedWhereADistanceIsNotFinite) {
     const FloatGrid::Ptr grid = ball(20, 1);
     grid->tree().setValue(Coord(3, -7, 18), std::numeric_limits<float>::quiet_NaN());
     write_grid(grid, folder / "v.vdb");
-    const auto file = open_vdb_grid(folder / "v.vdb", "density", VolumePart::voxels);
-    ASSERT_FALSE(file.value);
-    EXPECT_NE(file.diagnostics.at(0).message.find("its voxel (3, -7, 18) is nan; "),
-              std::string::npos);
+    const config::Diagnostic said = test::expect_refused(
+        open_vdb_grid(folder / "v.vdb", "density", VolumePart::voxels), "E0304");
+    EXPECT_NE(said.message.find("its voxel (3, -7, 18) is nan; "), std::string::npos);
 }
 
 }  // namespace

@@ -28,6 +28,13 @@ FileVoxels opened_nvdb(const std::filesystem::path& path, const std::string& gri
     return test::without_diagnostics(open_nvdb_grid(path, grid, VolumePart::voxels));
 }
 
+// A grid as its file has it, which is gone again.
+FileVoxels written_nvdb(const Handle& handle) {
+    const TemporaryFolder folder;
+    nanovdb::io::writeGrid((folder / "v.nvdb").string(), handle);
+    return opened_nvdb(folder / "v.nvdb");
+}
+
 template <class Build>
 void expect_accessors_voxels(const Handle& handle, const FileVoxels& file, const VoxelBox& box) {
     const auto accessor = handle.grid<Build>()->getAccessor();
@@ -37,10 +44,8 @@ void expect_accessors_voxels(const Handle& handle, const FileVoxels& file, const
 
 template <class Build>
 void expect_grid(const FloatGrid& grid, float background) {
-    const TemporaryFolder folder;
     const Handle handle = converted<Build>(grid);
-    nanovdb::io::writeGrid((folder / "v.nvdb").string(), handle);
-    const FileVoxels file = opened_nvdb(folder / "v.nvdb");
+    const FileVoxels file = written_nvdb(handle);
     EXPECT_EQ(file.background, background);
     testing::expect_active_box(grid, file);
     expect_accessors_voxels<Build>(handle, file, {file.first, file.size});
@@ -71,10 +76,8 @@ TEST(NvdbGrid, HasTheVoxelsOfNanoVdb) {
 }
 
 TEST(NvdbGrid, HasTilesOfEverySize) {
-    const TemporaryFolder folder;
     const Handle handle = converted<float>(*testing::tiles_of_every_size());
-    nanovdb::io::writeGrid((folder / "v.nvdb").string(), handle);
-    const FileVoxels file = opened_nvdb(folder / "v.nvdb");
+    const FileVoxels file = written_nvdb(handle);
     EXPECT_EQ(file.size, (std::array<int, 3>{4096 + 256, 4096, 4096}));
     EXPECT_EQ(file.largest, 0.75F);
     for (const int x : {-4097, -4096, -1, 0, 7, 8, 127, 128, 255, 256}) {
@@ -87,10 +90,7 @@ TEST(NvdbGrid, HasTilesOfEverySize) {
 }
 
 TEST(NvdbGrid, TakesTheTransform) {
-    const TemporaryFolder folder;
-    nanovdb::io::writeGrid((folder / "v.nvdb").string(),
-                           converted<float>(*testing::scaled_and_moved_grid()));
-    const FileVoxels file = opened_nvdb(folder / "v.nvdb");
+    const FileVoxels file = written_nvdb(converted<float>(*testing::scaled_and_moved_grid()));
     EXPECT_EQ(file.voxel_size, (std::array<double, 3>{2, 3, 4}));
     EXPECT_EQ(file.index_origin, (std::array<double, 3>{9, 18.5, 28}));
 }
@@ -129,15 +129,12 @@ TEST(NvdbGrid, IsDamagedIfItsChecksumSaysSo) {
 
 // The same grid as VDB and as NanoVDB gives the same densities.
 TEST(NvdbGrid, MakesFogOfALevelSetAsVdbDoes) {
-    const TemporaryFolder folder;
     openvdb::initialize();
     const FloatGrid::Ptr ball =
         openvdb::tools::createLevelSetSphere<FloatGrid>(20, {1.5F, 2, -3}, 0.5F);
     ball->setName("density");
-    testing::write_grid(ball, folder / "v.vdb");
-    nanovdb::io::writeGrid((folder / "v.nvdb").string(), converted<float>(*ball));
-    const FileVoxels wanted = testing::opened(folder / "v.vdb");
-    const FileVoxels file = opened_nvdb(folder / "v.nvdb");
+    const FileVoxels wanted = testing::written(ball);
+    const FileVoxels file = written_nvdb(converted<float>(*ball));
     EXPECT_EQ(file.largest, 1);
     EXPECT_EQ(file.size, wanted.size);
     const VoxelBox box{{-45, -45, -50}, {90, 95, 93}};

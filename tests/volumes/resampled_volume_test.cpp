@@ -97,21 +97,15 @@ TEST(ResampledVolume, KeepsRamps) {
             });
             const std::vector<float> values = resampled(volume, to);
             std::size_t i = 0;
-            for (int z = 0; z < to[2]; ++z) {
-                for (int y = 0; y < to[1]; ++y) {
-                    for (int x = 0; x < to[0]; ++x, ++i) {
-                        const Size at = {x, y, z};
-                        bool is_inner = true;
-                        for (std::size_t a = 0; a < 3; ++a) {
-                            const double place = (at[a] + 0.5) * from[a] / to[a];
-                            is_inner = is_inner && place >= 0.5 && place <= from[a] - 0.5;
-                        }
-                        const double wanted = (at[axis] + 0.5) * from[axis] / to[axis];
-                        if (!is_inner) continue;
-                        EXPECT_FLOAT_EQ(values[i], static_cast<float>(wanted));
-                    }
+            testing::for_each_voxel(to, [&](int x, int y, int z) {
+                const float found = values[i++];
+                std::array<double, 3> place = {x + 0.5, y + 0.5, z + 0.5};
+                for (std::size_t a = 0; a < 3; ++a) {
+                    place[a] *= static_cast<double>(from[a]) / to[a];
+                    if (place[a] < 0.5 || place[a] > from[a] - 0.5) return;
                 }
-            }
+                EXPECT_FLOAT_EQ(found, static_cast<float>(place[axis]));
+            });
         }
     }
 }
@@ -164,15 +158,11 @@ TEST(ResampledVolume, EqualsItsDefinition) {
             const std::vector<float> values = resampled(volume, to);
             const VolumeReference definition(volume, to);
             std::size_t i = 0;
-            for (int z = 0; z < to[2]; ++z) {
-                for (int y = 0; y < to[1]; ++y) {
-                    for (int x = 0; x < to[0]; ++x, ++i) {
-                        const double wanted =
-                            definition({(x + 0.5) / to[0], (y + 0.5) / to[1], (z + 0.5) / to[2]});
-                        EXPECT_NEAR(values[i], wanted, 1e-6) << x << " " << y << " " << z;
-                    }
-                }
-            }
+            testing::for_each_voxel(to, [&](int x, int y, int z) {
+                const double wanted =
+                    definition({(x + 0.5) / to[0], (y + 0.5) / to[1], (z + 0.5) / to[2]});
+                EXPECT_NEAR(values[i++], wanted, 1e-6) << x << " " << y << " " << z;
+            });
         }
     }
 }
@@ -187,28 +177,6 @@ TEST(ResampledVolume, DoesNotDependOnTheBox) {
             EXPECT_TRUE(testing::is_part_of({whole}, voxels, to, box));
         }
     }
-}
-
-// A source that knows where it is empty.
-class HalfEmpty : public VoxelSource {
-  public:
-    void fill(const VoxelBox& box, const std::vector<float*>& channels) const override {
-        FunctionVoxels([](int x, int, int, int) {
-            return x < 8 ? 0.0F : 1.0F;
-        }).fill(box, channels);
-    }
-    bool is_empty(const VoxelBox& box) const override { return box.origin[0] + box.size[0] <= 8; }
-};
-
-TEST(ResampledVolume, KnowsWhatIsEmpty) {
-    CloudVolume volume = volume_of({16, 4, 4}, sample_voxel);
-    volume.source.voxels = std::make_shared<HalfEmpty>();
-    const ResampledVolume voxels(volume, {32, 4, 4});
-    EXPECT_TRUE(voxels.is_empty({{0, 0, 0}, {15, 4, 4}}));
-    EXPECT_FALSE(voxels.is_empty({{0, 0, 0}, {16, 4, 4}})) << "voxel 15 mixes with voxel 8";
-    volume.wrap = VolumeWrap::repeat;
-    EXPECT_FALSE(ResampledVolume(volume, {32, 4, 4}).is_empty({{0, 0, 0}, {15, 4, 4}}))
-        << "voxel 0 mixes with the other side";
 }
 
 // A single voxel, which alone is not empty.
@@ -234,6 +202,19 @@ class OneVoxel : public VoxelSource {
     const Size at_;
     const bool says_;
 };
+
+TEST(ResampledVolume, KnowsWhatIsEmpty) {
+    CloudVolume volume = volume_of({16, 4, 4}, nullptr);
+    volume.source.voxels = std::make_shared<OneVoxel>(Size{8, 2, 2}, true);
+    const ResampledVolume voxels(volume, {32, 4, 4});
+    EXPECT_TRUE(voxels.is_empty({{0, 0, 0}, {15, 4, 4}}));
+    EXPECT_FALSE(voxels.is_empty({{0, 0, 0}, {16, 4, 4}})) << "voxel 15 mixes with voxel 8";
+    volume.source.voxels = std::make_shared<OneVoxel>(Size{15, 2, 2}, true);
+    EXPECT_TRUE(ResampledVolume(volume, {32, 4, 4}).is_empty({{0, 0, 0}, {15, 4, 4}}));
+    volume.wrap = VolumeWrap::repeat;
+    EXPECT_FALSE(ResampledVolume(volume, {32, 4, 4}).is_empty({{0, 0, 0}, {15, 4, 4}}))
+        << "voxel 0 mixes with the other side";
+}
 
 // A voxel at a face shows on the other side of the seam, whatever is known to be empty.
 TEST(ResampledVolume, LosesNothingAcrossItsSeams) {

@@ -87,6 +87,15 @@ inline FileVoxels opened(const std::filesystem::path& path, const std::string& g
     return test::without_diagnostics(open_vdb_grid(path, grid, VolumePart::voxels));
 }
 
+// A grid as its file has it, which is gone again.
+inline FileVoxels written(const openvdb::GridBase::Ptr& grid,
+                          std::uint32_t compression = openvdb::io::COMPRESS_BLOSC |
+                                                      openvdb::io::COMPRESS_ACTIVE_MASK) {
+    const TemporaryFolder folder;
+    write_grid(grid, folder / "v.vdb", compression);
+    return opened(folder / "v.vdb");
+}
+
 // Expects that voxels of a box are those that a library finds at an index of the file.
 template <class Index, class Wanted>
 void expect_voxels_at(const FileVoxels& file, const VoxelBox& box, const Wanted& wanted,

@@ -25,7 +25,6 @@ std::string problem_of(const openvdb::GridBase::Ptr& grid, const std::string& na
 }
 
 TEST(VdbGrid, HasTheVoxelsOfOpenVdbInEveryCompression) {
-    const TemporaryFolder folder;
     for (const float background : {0.0F, 0.125F, -1.0F}) {
         const FloatGrid::Ptr grid = any_grid(background);
         for (const std::uint32_t compression :
@@ -33,8 +32,7 @@ TEST(VdbGrid, HasTheVoxelsOfOpenVdbInEveryCompression) {
               std::uint32_t{io::COMPRESS_ACTIVE_MASK},
               io::COMPRESS_ZIP | std::uint32_t{io::COMPRESS_ACTIVE_MASK},
               io::COMPRESS_BLOSC | std::uint32_t{io::COMPRESS_ACTIVE_MASK}}) {
-            write_grid(grid, folder / "v.vdb", compression);
-            const FileVoxels file = opened(folder / "v.vdb");
+            const FileVoxels file = testing::written(grid, compression);
             EXPECT_EQ(file.background, background);
             expect_same_voxels(*grid, file, box_of(file));
             expect_same_voxels(*grid, file, {{-40, -30, -9}, {90, 80, 60}});  // beyond as well
@@ -44,10 +42,8 @@ TEST(VdbGrid, HasTheVoxelsOfOpenVdbInEveryCompression) {
 }
 
 TEST(VdbGrid, IsTheBoxOfActiveVoxelsAndTiles) {
-    const TemporaryFolder folder;
     const FloatGrid::Ptr grid = any_grid();
-    write_grid(grid, folder / "v.vdb");
-    const FileVoxels file = opened(folder / "v.vdb");
+    const FileVoxels file = testing::written(grid);
     testing::expect_active_box(*grid, file);
     float largest = 0;
     for (auto voxel = grid->cbeginValueAll(); voxel; ++voxel) {
@@ -57,10 +53,8 @@ TEST(VdbGrid, IsTheBoxOfActiveVoxelsAndTiles) {
 }
 
 TEST(VdbGrid, HasTilesOfEverySize) {
-    const TemporaryFolder folder;
     const FloatGrid::Ptr grid = testing::tiles_of_every_size();
-    write_grid(grid, folder / "v.vdb");
-    const FileVoxels file = opened(folder / "v.vdb");
+    const FileVoxels file = testing::written(grid);
     EXPECT_EQ(file.size, (std::array<int, 3>{4096 + 256, 4096, 4096}));
     for (const int x : {-4097, -4096, -1, 0, 7, 8, 127, 128, 255, 256}) {
         expect_same_voxels(*grid, file, {{x, 0, 0}, {1, 9, 9}});
@@ -69,10 +63,8 @@ TEST(VdbGrid, HasTilesOfEverySize) {
 }
 
 TEST(VdbGrid, IsEmptyOnlyWhereNothingIs) {
-    const TemporaryFolder folder;
     const FloatGrid::Ptr grid = any_grid();
-    write_grid(grid, folder / "v.vdb");
-    const FileVoxels file = opened(folder / "v.vdb");
+    const FileVoxels file = testing::written(grid);
     int empty = 0;
     for (int x = -40; x < 40; x += 5) {
         for (int z = -9; z < 40; z += 7) {
@@ -102,9 +94,7 @@ TEST(VdbGrid, ReadsHalves) {
 }
 
 TEST(VdbGrid, TakesTheTransform) {
-    const TemporaryFolder folder;
-    write_grid(testing::scaled_and_moved_grid(), folder / "v.vdb");
-    const FileVoxels file = opened(folder / "v.vdb");
+    const FileVoxels file = testing::written(testing::scaled_and_moved_grid());
     EXPECT_EQ(file.voxel_size, (std::array<double, 3>{2, 3, 4}));
     EXPECT_EQ(file.index_origin, (std::array<double, 3>{9, 18.5, 28}));
 }
