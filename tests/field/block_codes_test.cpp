@@ -22,19 +22,11 @@
 namespace skybake {
 namespace {
 
-// The same numbers everywhere.
-class Random {
-  public:
-    explicit Random(std::uint32_t seed) : engine_(seed) {}
-    std::size_t below(std::size_t bound) { return engine_() % bound; }
-
-  private:
-    std::mt19937 engine_;
-};
+using Random = std::mt19937;  // the same numbers everywhere
 
 using Texels = std::array<float, 16>;
 
-double uniform(Random& random) { return static_cast<double>(random.below(1 << 24)) / (1 << 24); }
+double uniform(Random& random) { return static_cast<double>(random() % (1 << 24)) / (1 << 24); }
 
 enum class Kind { noise, ramp, rough_ramp, clipped_ramp, gaps, bright, almost_flat };
 constexpr std::array kKinds = {Kind::noise, Kind::ramp,   Kind::rough_ramp, Kind::clipped_ramp,
@@ -61,15 +53,20 @@ Texels sample_block(Kind kind, Random& random) {
     return texels;
 }
 
-// Encodes blocks that lie beside each other, as a plane.
-std::vector<std::uint8_t> encoded(const std::vector<Texels>& blocks) {
+// Blocks beside each other, as a plane.
+std::vector<float> plane_of(const std::vector<Texels>& blocks) {
     const std::size_t pitch = 4 * blocks.size();
     std::vector<float> plane(4 * pitch + bc4_padding);
     for (std::size_t b = 0; b < blocks.size(); ++b) {
         for (std::size_t i = 0; i < 16; ++i) plane[i / 4 * pitch + 4 * b + i % 4] = blocks[b][i];
     }
+    return plane;
+}
+
+std::vector<std::uint8_t> encoded(const std::vector<Texels>& blocks) {
+    const std::vector<float> plane = plane_of(blocks);
     std::vector<std::uint8_t> bytes(bc4_bytes * blocks.size());
-    encode_bc4({plane.data(), pitch, blocks.size(), 1}, bytes.data(), bc4_bytes);
+    encode_bc4({plane.data(), 4 * blocks.size(), blocks.size(), 1}, bytes.data(), bc4_bytes);
     return bytes;
 }
 
@@ -161,7 +158,7 @@ TEST(Bc4, SquishDecodesTheSame) {
     Random random(5);
     for (int i = 0; i < 3000; ++i) {
         std::array<std::uint8_t, 16> block;
-        for (auto& byte : block) byte = static_cast<std::uint8_t>(random.below(256));
+        for (auto& byte : block) byte = static_cast<std::uint8_t>(random() % 256);
         if (i % 3 == 0) block[0] = block[1];
         std::array<std::uint8_t, 64> rgba{};
         squish::Decompress(rgba.data(), block.data(), squish::kDxt5);
@@ -255,10 +252,10 @@ TEST(Bc6h, DecodesByTheTables) {
     Random random(9);
     for (int i = 0; i < 4000; ++i) {
         std::array<std::uint8_t, 16> block;
-        for (auto& byte : block) byte = static_cast<std::uint8_t>(random.below(256));
+        for (auto& byte : block) byte = static_cast<std::uint8_t>(random() % 256);
         if (i % 2 == 0) {
             constexpr std::array words = {3, 7, 11, 15};
-            block[0] = static_cast<std::uint8_t>((block[0] & ~31) | words[random.below(4)]);
+            block[0] = static_cast<std::uint8_t>((block[0] & ~31) | words[random() % 4]);
         }
         const auto wanted = decoded_by_table(block.data());
         const auto found = decode_bc6h(block.data());
@@ -274,17 +271,13 @@ TEST(Bc6h, DecodesByTheTables) {
 
 // Relative RMS error of blocks of colours; the encoder's own measure is close to it.
 double bc6h_error(const std::vector<std::array<Texels, 3>>& blocks, std::vector<int>* words) {
-    const std::size_t pitch = 4 * blocks.size();
     std::array<std::vector<float>, 3> planes;
     std::array<TexelPlane, 3> texels;
     for (std::size_t c = 0; c < 3; ++c) {
-        planes[c].resize(4 * pitch + bc4_padding);
-        for (std::size_t b = 0; b < blocks.size(); ++b) {
-            for (std::size_t i = 0; i < 16; ++i) {
-                planes[c][i / 4 * pitch + 4 * b + i % 4] = blocks[b][c][i];
-            }
-        }
-        texels[c] = {planes[c].data(), pitch, blocks.size(), 1};
+        std::vector<Texels> channel;
+        for (const auto& block : blocks) channel.push_back(block[c]);
+        planes[c] = plane_of(channel);
+        texels[c] = {planes[c].data(), 4 * blocks.size(), blocks.size(), 1};
     }
     std::vector<std::uint8_t> bytes(16 * blocks.size());
     encode_bc6h(texels, bytes.data());

@@ -11,6 +11,7 @@
 #include <cstring>
 
 #include "bakers/field/baked.h"
+#include "tests/io/exr_bytes.h"
 #include "tests/io/format_checks.h"
 #include "tests/support/cancelled_at.h"
 
@@ -79,15 +80,7 @@ struct ChunkTable {
 };
 
 ChunkTable chunk_table(const std::string& bytes, const ExrImage& image) {
-    constexpr std::size_t first_attribute = 8;
-    ChunkTable table{first_attribute, {}};
-    while (bytes[table.at] != 0) {
-        for (int name = 0; name < 2; ++name) table.at = bytes.find('\0', table.at) + 1;
-        std::int32_t size = 0;
-        std::memcpy(&size, &bytes[table.at], sizeof(size));
-        table.at += sizeof(size) + static_cast<std::size_t>(size);
-    }
-    ++table.at;
+    ChunkTable table{testing::exr_attributes(bytes).back().end() + 1, {}};
     const int rows = rows_of(image.compression);
     table.positions.resize(static_cast<std::size_t>((image.pixels.height + rows - 1) / rows));
     std::memcpy(table.positions.data(), &bytes[table.at],

@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "bakers/io/formats/exr/exr_file.h"
+#include "tests/io/exr_bytes.h"
 #include "tests/io/format_checks.h"
 
 namespace skybake {
@@ -72,14 +73,11 @@ TEST(Exr, SurvivesRandomBytes) {
     }
 }
 
-// Gives the header's windows of these names another maximum.
+// Gives the header's windows of these names another maximum, which is behind two numbers of the minimum.
 std::string with_window(std::string bytes, const std::vector<std::string>& names,
                         const std::array<int, 2>& maximum) {
     for (const std::string& name : names) {
-        const std::size_t window = bytes.find(name);
-        EXPECT_NE(window, std::string::npos);
-        // name, 0, "box2i", 0, size of 4 bytes, then min and max.
-        const std::size_t at = window + name.size() + 1 + sizeof("box2i") + 4 + 8;
+        const std::size_t at = testing::exr_attribute(bytes, name).at + 8;
         std::memcpy(bytes.data() + at, maximum.data(), sizeof(maximum));
     }
     return bytes;
@@ -87,8 +85,7 @@ std::string with_window(std::string bytes, const std::vector<std::string>& names
 
 // Gives an attribute of the header another size than it has.
 std::string with_claim(std::string bytes, const std::string& name, std::int32_t size) {
-    const std::size_t at = bytes.find('\0', bytes.find(name + '\0') + name.size() + 1) + 1;
-    std::memcpy(bytes.data() + at, &size, sizeof(size));
+    std::memcpy(bytes.data() + testing::exr_attribute(bytes, name).at - 4, &size, sizeof(size));
     return bytes;
 }
 

@@ -199,11 +199,14 @@ inline ColumnRange column_range(double length_km, const Probe& probe) {
 }
 inline void expect_column(const gpu::vec4& column, double length_km, const Probe& probe) {
     const ColumnRange range = column_range(length_km, probe);
+    ASSERT_EQ(probe.column_km.size(), probe.value.size());
     for (std::size_t k = 0; k < probe.value.size(); ++k) {
         const float found = column[static_cast<gpu::vec4::length_type>(k)];
         const std::string where = ::testing::PrintToString(probe.at) + ", channel ";
         EXPECT_GE(found, range.low[k]) << where << k;
         EXPECT_LE(found, range.high[k]) << where << k;
+        EXPECT_NEAR(double{found}, probe.column_km[k], 2e-3 * probe.column_km[k] + 1e-9)
+            << where << k;
     }
 }
 

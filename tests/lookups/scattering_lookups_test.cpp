@@ -166,33 +166,6 @@ TEST(MomentsLookup, FloatLosesLittle) {
     expect_little_loss(lost, table.certificate);
 }
 
-// The lookup of one moment, and the sum over all of them with chi = (1, 0, 0), which is moment 0.
-TEST(MomentsLookup, HoldsTheProbesOfFourWavelengths) {
-    const SunTable table(
-        "preset = 'earth_clear_mountain'\n[bake.multiple_scattering]\n"
-        "method = 'solved'\ncontent = 'moments'\nmapping = 'twilight'\nsize = [16, 8]\n");
-    int means = 0;
-    for (const Probe& probe : table.baked.asset().levels[0].probes) {
-        ASSERT_EQ(probe.value.size(), 4U);
-        const auto h = static_cast<float>(test::at(probe, "altitude_km"));
-        const auto mu_s = static_cast<float>(test::at(probe, "sun_cos_zenith"));
-        const int part = moment_index(static_cast<int>(test::at(probe, "l")),
-                                      static_cast<int>(test::at(probe, "m")));
-        const std::string where = "h " + std::to_string(h) + ", table " + std::to_string(part);
-        const gpu::vec2 place = gpu::sun_lookups::moment_place(
-            table.size() / gpu::vec2(1, 6), table.D, h, mu_s, table.twilight(), table.crop());
-        test::expect_probe(
-            gpu::sun_lookups::moment_of_4({table.texture}, place, 6, static_cast<float>(part)),
-            probe.value, probe.tolerance, where);
-        if (part != 0) continue;
-        ++means;
-        test::expect_probe(gpu::sun_lookups::scattered_again_of_4({table.texture}, place, 6, 0.3f,
-                                                                  0.5f, gpu::vec3(1, 0, 0)),
-                           probe.value, probe.tolerance, where);
-    }
-    EXPECT_GT(means, 0);
-}
-
 TEST(IrradianceLookup, FloatLosesLittle) {
     for (const char* mapping : {"twilight", "hillaire"}) {
         SCOPED_TRACE(mapping);

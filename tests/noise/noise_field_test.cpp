@@ -128,18 +128,6 @@ TEST(NoiseField, CellsOfAnyWidthEqualThePointwiseKernel) {
     }
 }
 
-TEST(NoiseSpecification, PerlinIsZeroAtLatticePoints) {
-    config::Noise noise = test::noise_of({test::perlin({{4, 4, 4}}, NoiseFractal::billow)});
-    noise.sampling = config::NoiseSampling::corners;
-    const NoisePlan plan = make_noise_plan(noise, {16, 8, 4});
-    for (int x = 0; x < 16; x += 4) {
-        for (int y = 0; y < 8; y += 2) {
-            for (int z = 0; z < 4; ++z) EXPECT_EQ(noise_at(plan, {x, y, z})[0], 0);
-        }
-    }
-    EXPECT_NE(noise_at(plan, {1, 1, 1})[0], 0);
-}
-
 // Where cells have four voxels or more, the voxels of a block share points (cell_kernel.h). Boxes begin
 // and end anywhere; a cell may be the whole tile, and points may move.
 TEST(Alligator, EqualsTheSpecificationWhereCellsAreWide) {

@@ -100,12 +100,8 @@ TEST(NoiseVolume, MapsCornersByHalfAVoxel) {
 }
 
 TEST(NoiseVolume, DoesNotDependOnThreads) {
-    BakeOptions one;
-    one.threads = 1;
-    BakeOptions two;
-    two.threads = 2;
-    const Baked a = baked(cloud_shape(), bake_of({33, 20, 41}, 4), one);
-    const Baked b = baked(cloud_shape(), bake_of({33, 20, 41}, 4), two);
+    const Baked a = baked(cloud_shape(), bake_of({33, 20, 41}, 4), {.threads = 1});
+    const Baked b = baked(cloud_shape(), bake_of({33, 20, 41}, 4), {.threads = 2});
     ASSERT_EQ(a.levels.size(), b.levels.size());
     for (std::size_t i = 0; i < a.levels.size(); ++i) {
         EXPECT_EQ(a.levels[i].content_hash, b.levels[i].content_hash);
