@@ -104,7 +104,9 @@ TEST(Interrupt, OneSignalEndsAProcessThatDoesNotListen) {
     for (const int signal : {SIGINT, SIGTERM}) {
         const TemporaryFolder folder;
         const auto work = [&](int says) { compute_for_a_minute(folder, says); };
-        EXPECT_EQ(stopped(signal, 1, [] { return true; }, work), 130);
+        EXPECT_EQ(stopped(
+                      signal, 1, [] { return true; }, work),
+                  130);
         EXPECT_EQ(folder.names(), std::vector<std::string>());
     }
 }

@@ -52,10 +52,11 @@ TEST(InitCommand, ListsThePresetsOfEachKind) {
     const std::string out = run_words({"init", "--list"}).out;
     std::size_t at = 0;
     std::size_t titles = 0;
-    for (const auto& [kind, presets] :
-         {std::pair{"atmospheres: ", config::presets()}, {"\nnoises: ", config::noise_presets()},
-          {"\nparticles: ", config::particle_presets()}, {"\nlayers: ", config::layer_presets()},
-          {"\nclouds: ", config::cloud_presets()}}) {
+    for (const auto& [kind, presets] : {std::pair{"atmospheres: ", config::presets()},
+                                        {"\nnoises: ", config::noise_presets()},
+                                        {"\nparticles: ", config::particle_presets()},
+                                        {"\nlayers: ", config::layer_presets()},
+                                        {"\nclouds: ", config::cloud_presets()}}) {
         at = out.find(kind, at);
         ASSERT_NE(at, std::string::npos) << kind;
         const std::string list = out.substr(at, out.find("\n\n", at) - at);

@@ -18,6 +18,7 @@ namespace {
 using config::VdbCompression;
 using openvdb::Coord;
 using testing::FunctionVoxels;
+using testing::wrong_with;
 using Size = std::array<int, 3>;
 using Function = FunctionVoxels::Function;
 
@@ -30,32 +31,14 @@ Baked sparse_sample(const Size& size, int channels, Function function,
     return volume;
 }
 
-std::string wrong_with(const Baked& volume, int threads = 2) {
-    const TemporaryFolder folder;
-    const auto written = testing::write_sample(volume, folder / "v.vdb", threads);
-    if (!written.value) return written.diagnostics.at(0).message;
-    return testing::wrong_file(volume, folder / "v.vdb");
-}
-
 // 0, values that are stored as 0, values that nearly are, and others.
 float speckle(int x, int y, int z, int channel) {
     const float value = testing::sample_voxel(x, y, z, channel);
-    switch (static_cast<int>(value * 1e6F) % 9) {
-        case 0:
-            return 0.0F;
-        case 1:
-            return -0.0F;
-        case 2:
-            return 0x1p-25F;  // a tie between 0 and the least half
-        case 3:
-            return std::nextafter(0x1p-25F, 1.0F);
-        case 4:
-            return -0x1p-26F;
-        case 5:
-            return -value;
-        default:
-            return value;
-    }
+    // The third is a tie between 0 and the least half.
+    const std::array values = {0.0F,      -0.0F,  0x1p-25F, std::nextafter(0x1p-25F, 1.0F),
+                               -0x1p-26F, -value, value,    value,
+                               value};
+    return values[static_cast<std::size_t>(value * 1e6F) % 9];
 }
 
 // Speckles within boxes, 0 outside of them.

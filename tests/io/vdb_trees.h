@@ -13,6 +13,7 @@
 #include "bakers/field/pixel_type.h"
 #include "config/sections/file_formats.h"
 #include "tests/io/files.h"
+#include "tests/io/format_checks.h"
 #include "tests/io/vdb_samples.h"
 
 namespace skybake::testing {
@@ -105,30 +106,26 @@ inline std::string wrong_for_openvdb(const Baked& volume, const std::filesystem:
     return "";
 }
 
-// Returns the faults of the file as read_vdb_voxels reads it.
+// Returns the faults of the file as verify reads it.
 inline std::string wrong_for_us(const Baked& volume, const std::filesystem::path& path) {
-    std::vector<std::vector<float>> wanted;
-    for (std::size_t channel = 0; channel < volume.channel_names.size(); ++channel) {
-        wanted.push_back(stored_values(volume, static_cast<int>(channel)));
-    }
-    const auto& size = volume.levels[0].size;
-    std::size_t voxel = 0;
-    bool same = true;
-    const auto read = read_vdb_voxels(path, [&](const VdbSlab& slab) {
-        same &= slab.size == size &&
-                slab.voxels.size() ==
-                    wanted.size() * static_cast<std::size_t>(size[0] * size[1] * slab.depth);
-        for (std::size_t i = 0; same && i < slab.voxels.size(); ++voxel) {
-            for (const auto& values : wanted) same &= slab.voxels[i++] == values[voxel];
+    const std::size_t channels = volume.channel_names.size();
+    const std::vector<float> found = texels_of(config::FileFormat::vdb, volume, 0, path);
+    for (std::size_t channel = 0; channel < channels; ++channel) {
+        const std::vector<float> wanted = stored_values(volume, static_cast<int>(channel));
+        if (found.size() != channels * wanted.size()) return "the number of voxels";
+        for (std::size_t i = 0; i < wanted.size(); ++i) {
+            if (found[channels * i + channel] != wanted[i]) return "the voxels";
         }
-        return same;
-    });
-    if (!read.value) return read.diagnostics.at(0).message;
-    return same && voxel == wanted[0].size() ? "" : "the voxels of slabs";
+    }
+    return "";
 }
 
-// Returns the faults of a file that write_vdb made of the volume; empty if there are none.
-inline std::string wrong_file(const Baked& volume, const std::filesystem::path& path) {
+// Returns the faults of the file that write_vdb makes of the volume; empty if there are none.
+inline std::string wrong_with(const Baked& volume) {
+    const TemporaryFolder folder;
+    const auto path = folder / "v.vdb";
+    const auto written = write_sample(volume, path);
+    if (!written.value) return written.diagnostics.at(0).message;
     const std::string wrong = wrong_for_openvdb(volume, path);
     return wrong.empty() ? wrong_for_us(volume, path) : wrong;
 }

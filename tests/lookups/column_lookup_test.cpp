@@ -160,11 +160,9 @@ TEST(ColumnLookup, FloatLosesLittleOfDensitiesAndPhases) {
         const double exact = std::atan2(unit.y, unit.x);
         const std::array<double, 4> wanted_phase =
             filtered(phases.texture, {x_of_u(std::sqrt(exact / std::numbers::pi), 256), 0.5, 0.5});
+        test::add_shares(density, wanted_density, densities.baked.asset(), density_loss);
         for (std::size_t k = 0; k < 4; ++k) {
             const auto channel = static_cast<gpu::vec4::length_type>(k);
-            const ValueStatistics& range = densities.baked.asset().levels.front().statistics[k];
-            density_loss.add((double{density[channel]} - wanted_density[k]) /
-                             (range.max - range.min));
             phase_loss.add(double{phase[channel]} / wanted_phase[k] - 1);
         }
     }

@@ -226,7 +226,7 @@ TEST(PrintedLookups, ColoursOfWavelengths) {
     const std::vector<double>& weights = table.asset().conventions.color->weights;
     for (const vec4& light : {vec4(1, 0, 0, 0), vec4(0, 1, 0, 0), vec4(0, 0, 1, 0),
                               vec4(0, 0, 0, 1), vec4(1, 2, 3, 4)}) {
-        std::array<double, 3> color{};
+        std::vector<double> color(3);
         for (std::size_t i = 0; i < 12; ++i) {
             color[i % 3] += weights[i] * double{light[static_cast<glm::length_t>(i / 3)]};
         }

@@ -61,6 +61,24 @@ struct SunTable {
     double largest = 0;
 };
 
+// The loss of the lookup of a table, or of the first of several that lie below each other.
+test::Loss loss_of_scattering(const SunTable& table, int parts) {
+    Texture texture = table.texture;
+    texture.size[1] /= parts;
+    texture.texels.resize(texture.texels.size() / static_cast<std::size_t>(parts));
+    return test::loss_at_places([&](test::Dice& dice, test::Loss& loss) {
+        const float h = dice.altitude_km(table.shell.thickness_km);
+        const float mu = table.sun(dice);
+        const gpu::vec3 found =
+            gpu::sun_lookups::multiple_scattering({texture}, gpu::vec2(gpu::size_of(texture)),
+                                                  table.D, h, mu, table.twilight(), table.crop());
+        test::add_relative(found,
+                           table.in_double(table.columns.coordinate(double{mu}),
+                                           double{h} / table.shell.thickness_km, 0, parts),
+                           table.largest, loss);
+    });
+}
+
 TEST(MultipleScatteringLookup, FloatLosesLittle) {
     const std::string whole =
         "preset = 'earth_hillaire'\n[bake.multiple_scattering]\n"
@@ -68,17 +86,7 @@ TEST(MultipleScatteringLookup, FloatLosesLittle) {
     for (const std::string& recipe : {whole + "'hillaire'\n", whole + "'twilight'\n"}) {
         SCOPED_TRACE(recipe);
         const SunTable table(recipe);
-        const test::Loss lost = test::loss_at_places([&](test::Dice& dice, test::Loss& loss) {
-            const float h = dice.altitude_km(table.shell.thickness_km);
-            const float mu = table.sun(dice);
-            const gpu::vec3 found = gpu::sun_lookups::multiple_scattering(
-                {table.texture}, table.size(), table.D, h, mu, table.twilight(), table.crop());
-            test::add_relative(found,
-                               table.in_double(table.columns.coordinate(double{mu}),
-                                               double{h} / table.shell.thickness_km),
-                               table.largest, loss);
-        });
-        expect_little_loss(lost, table.baked.asset().certificate);
+        expect_little_loss(loss_of_scattering(table, 1), table.baked.asset().certificate);
     }
 }
 
@@ -116,31 +124,13 @@ struct CroppedMoments : SunTable {
     Certificate certificate;
 };
 
-// Moment 0 by itself is what content = "hillaire" holds.
-void expect_suns_of_a_cropped_axis(const CroppedMoments& moments) {
-    ASSERT_GT(moments.columns.first, 0);
-    Texture texture = moments.texture;
-    texture.size[1] /= 6;
-    texture.texels.resize(texture.texels.size() / 6);
-    const test::Loss lost = test::loss_at_places([&](test::Dice& dice, test::Loss& loss) {
-        const float h = dice.altitude_km(moments.shell.thickness_km);
-        const float mu = moments.sun(dice);
-        const gpu::vec3 found = gpu::sun_lookups::multiple_scattering(
-            {texture}, gpu::vec2(gpu::size_of(texture)), moments.D, h, mu, moments.twilight(),
-            moments.crop());
-        test::add_relative(found,
-                           moments.in_double(moments.columns.coordinate(double{mu}),
-                                             double{h} / moments.shell.thickness_km, 0, 6),
-                           moments.largest, loss);
-    });
-    expect_little_loss(lost, moments.certificate);
-}
-
 // Relative to the light itself, moment 0, as the sum of all may vanish.
 TEST(MomentsLookup, FloatLosesLittle) {
     const CroppedMoments table;
     ASSERT_EQ(table.texture.size[1] % 6, 0);
-    expect_suns_of_a_cropped_axis(table);
+    ASSERT_GT(table.columns.first, 0);
+    // Moment 0 by itself is what content = "hillaire" holds.
+    expect_little_loss(loss_of_scattering(table, 6), table.certificate);
     const test::Loss lost = test::loss_at_places([&](test::Dice& dice, test::Loss& loss) {
         const float h = dice.altitude_km(table.shell.thickness_km);
         const float mu_s = table.sun(dice);

@@ -28,7 +28,8 @@ Baked baked(const config::Recipe& recipe, const config::Bake& bake,
         bake_asset(recipe, bake, {.threads = 2, .certification = certification}));
 }
 
-std::vector<std::vector<float>> values_of(const Level& level, const VoxelBox& box, std::size_t channels) {
+std::vector<std::vector<float>> values_of(const Level& level, const VoxelBox& box,
+                                          std::size_t channels) {
     return testing::planes_of(*level.voxels, box, channels);
 }
 
@@ -66,8 +67,7 @@ TEST(Flipbook, HasTheFramesInTheirOrder) {
         for (int i = 0; i < 6; ++i) {
             const Baked frame = baked(recipe, bakes[static_cast<std::size_t>(i)]);
             const int slice = frame.levels.at(0).size[2] / 2;
-            const auto wanted =
-                values_of(frame.levels[0], {{0, 0, slice}, {20, 16, 1}}, channels);
+            const auto wanted = values_of(frame.levels[0], {{0, 0, slice}, {20, 16, 1}}, channels);
             for (int layer = 0; layer < 6; ++layer) {
                 const bool equal =
                     values_of(flipbook.levels[0], {{0, 0, layer}, {20, 16, 1}}, channels) == wanted;

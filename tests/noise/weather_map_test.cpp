@@ -173,8 +173,7 @@ TEST(WeatherMap, ConstantsAreCoveredWholeOrNotAtAll) {
     constant.value = 0.25;
     const config::Noise noise = noise_of_channels({constant});
     for (const double covered : {0.0, 1.0}) {
-        const auto map =
-            texels_of(noise, bake_of({4, 4}, {covered}, {covered}, PixelType::unorm8));
+        const auto map = texels_of(noise, bake_of({4, 4}, {covered}, {covered}, PixelType::unorm8));
         for (const float value : map.texels) EXPECT_EQ(value, covered);
     }
     const auto refused = test::expect_refused(

@@ -238,21 +238,16 @@ formats = ["bin"]
 void forge(const fs::path& folder, const Texels& texels) {
     Manifest manifest = *read_manifest(folder).value;
     ManifestAsset& asset = manifest.assets[0];
-    ManifestFile& file = asset.files[0];
-    ASSERT_EQ(file.pixel_type, config::PixelType::float32);
+    ASSERT_EQ(asset.files[0].pixel_type, config::PixelType::float32);
     const std::vector<float> values(texels.values.begin(), texels.values.end());
     std::string bytes(values.size() * sizeof(float), '\0');
-    store_values(values.data(), values.size(), file.pixel_type, bytes.data());
-    write_bytes(folder / file.path, bytes);
-    file.bytes = bytes.size();
-    file.xxh3 = xxh3_hex(bytes);
-    asset.content_hash = file.xxh3;
+    store_values(values.data(), values.size(), config::PixelType::float32, bytes.data());
     ManifestLevel& level = asset.levels[0];
-    level.content_hash = file.xxh3;
+    level.content_hash = asset.content_hash = xxh3_hex(bytes);
     const auto [least, most] = std::minmax_element(values.begin(), values.end());
     level.statistics[0].min = double{*least};
     level.statistics[0].max = double{*most};
-    write_bytes(folder / manifest_name, manifest_json(manifest));
+    replace_file(folder, manifest, 0, bytes);
 }
 
 TEST(FileFaults, AreToldByVerifyWhereAllHashesAgree) {
@@ -303,7 +298,7 @@ TEST(FileFaults, AreToldByVerifyWherePacketsAreExchanged) {
     ManifestLevel& second = manifest.assets[1].levels[0];
     std::swap(first.content_hash, second.content_hash);
     std::swap(first.statistics, second.statistics);
-    write_bytes(folder / manifest_name, manifest_json(manifest));
+    save_manifest(folder, manifest);
     EXPECT_GE(failed_checks(folder).count("probe"), 10u);
 }
 
@@ -316,7 +311,7 @@ TEST(FileFaults, AreToldByVerifyWhereProbesTellNothing) {
     for (Probe& probe : manifest.assets[0].levels[0].probes) {
         for (double& tolerance : probe.tolerance) tolerance = 10;
     }
-    write_bytes(folder / manifest_name, manifest_json(manifest));
+    save_manifest(folder, manifest);
     EXPECT_EQ(failed_checks(folder).count("catches"), manifest.assets[0].levels[0].catches.size());
     EXPECT_GE(manifest.assets[0].levels[0].catches.size(), 6u);
 }
