@@ -76,14 +76,12 @@ double exhaustive_error(const Texels& texels) {
     double best = 1e9;
     for (int first = 0; first < 256; ++first) {
         for (int second = 0; second < 256; ++second) {
-            std::array<double, 8> values;
+            std::array<double, 8> values = {0, 0, 0, 0, 0, 0, 0, 1};
             const int steps = first > second ? 7 : 5;
             for (int k = 0; k <= steps; ++k) {
                 values[static_cast<std::size_t>(k)] =
                     ((steps - k) * first + k * second) / (255.0 * steps);
             }
-            if (steps == 5) values[6] = 0;
-            if (steps == 5) values[7] = 1;
             double error = 0;
             for (std::size_t i = 0; i < 16 && error < best; ++i) {
                 double least = 1;

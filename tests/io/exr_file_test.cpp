@@ -27,15 +27,6 @@ std::string written(const TemporaryFolder& folder, const Baked& volume, int thre
     return testing::written(folder, config::FileFormat::exr, volume, threads);
 }
 
-void turn_over(Image2<float>& image) {
-    const auto row =
-        static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.channels);
-    for (int y = 0; y < image.height / 2; ++y) {
-        float* upper = image.texel(0, y);
-        std::swap_ranges(upper, upper + row, image.texel(0, image.height - 1 - y));
-    }
-}
-
 // The image that the volume should be, texel by texel.
 ExrImage expected_image(const Baked& volume, const testing::FunctionVoxels::Function& content) {
     const std::array<int, 3> size = volume.levels[0].size;
@@ -46,13 +37,13 @@ ExrImage expected_image(const Baked& volume, const testing::FunctionVoxels::Func
     image.pixels = Image2<float>(static_cast<int>(width), static_cast<int>(height), channels);
     testing::for_each_voxel(size, [&](int x, int y, int z) {
         const int column = z % layout.columns * size[0] + x;
-        const int row = z / layout.columns * size[1] + y;
+        const int from_top = z / layout.columns * size[1] + y;
+        const int row = volume.flip ? image.pixels.height - 1 - from_top : from_top;
         for (int c = 0; c < channels; ++c) {
             image.pixels.texel(column, row)[c] =
                 round_to_pixel_type(content(x, y, z, c), volume.pixel_type);
         }
     });
-    if (volume.flip) turn_over(image.pixels);
     image.channel_names = volume.channel_names;
     image.pixel_type = volume.pixel_type;
     image.compression = volume.compression;

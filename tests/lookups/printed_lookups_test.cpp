@@ -237,24 +237,18 @@ TEST(PrintedLookups, ColoursOfWavelengths) {
 
 // --- Skies --------------------------------------------------------------------------------------
 
-struct View {
-    vec3 dir, up, sun;
-};
-
-// Azimuth from the sun, to the right of somebody who looks at it.
-View view_of(double elevation, double azimuth, double sun_elevation) {
-    const double level = std::cos(elevation);
-    return {vec3(level * std::cos(azimuth), -level * std::sin(azimuth), std::sin(elevation)),
-            vec3(0, 0, 1), vec3(std::cos(sun_elevation), 0, std::sin(sun_elevation))};
+// The view of a probe at an elevation, by degrees, the sun straight ahead.
+test::EngineView view_at(const Probe& probe, double elevation, double sun_elevation) {
+    return test::engine_view(elevation * kDegree, test::at(probe, "azimuth_deg") * kDegree,
+                             sun_elevation * kDegree, {0, 0, 1});
 }
-
-// What looks at a probe of a sky, whose horizon is so much lower than the level.
-View view_over(const Probe& probe, double dip_deg) {
-    return view_of((test::at(probe, "above_horizon_deg") - dip_deg) * kDegree,
-                   test::at(probe, "azimuth_deg") * kDegree,
-                   test::at(probe, "sun_elevation_deg") * kDegree);
-}
-#define SKYBAKE_VIEW_OVER(dip) view_over(at, dip).dir, view_over(at, dip).up, view_over(at, dip).sun
+#define SKYBAKE_PARTS(view) view.dir, view.up, view.sun
+// Of a probe of a panorama, and of one of a sky, whose horizon is so much lower than the level.
+#define SKYBAKE_VIEW(sun_elevation) \
+    SKYBAKE_PARTS(view_at(at, test::at(at, "elevation_deg"), sun_elevation))
+#define SKYBAKE_VIEW_OVER(dip) \
+    SKYBAKE_PARTS(             \
+        view_at(at, test::at(at, "above_horizon_deg") - dip, test::at(at, "sun_elevation_deg")))
 
 TEST(PrintedLookups, SkyView) {
     const double dip = BakedFile("sky.exr").constant(1, "dip_deg");
@@ -267,14 +261,6 @@ TEST(PrintedLookups, SkyView) {
     const double from_space = BakedFile("skies.exr").constant(1, "dip_deg");
     SKYBAKE_HOLDS(skies, exr, SKYBAKE_VIEW_OVER(from_space), sun(at));
 }
-
-// What looks at a probe of a panorama, the sun at an elevation ahead.
-View view_at(const Probe& probe, double sun_elevation) {
-    return view_of(test::at(probe, "elevation_deg") * kDegree,
-                   test::at(probe, "azimuth_deg") * kDegree, sun_elevation * kDegree);
-}
-#define SKYBAKE_VIEW(sun_elevation) \
-    view_at(at, sun_elevation).dir, view_at(at, sun_elevation).up, view_at(at, sun_elevation).sun
 
 TEST(PrintedLookups, Environment) {
     SKYBAKE_HOLDS(panorama, exr, SKYBAKE_VIEW(20));
@@ -546,35 +532,23 @@ void expect_leaping_march(const std::string& name, const Leap& leap, const March
     EXPECT_LT(looked, 2 * 3 * steps / 4) << name;  // in two languages
 }
 
-// The grid of a file, whose functions begin with this name.
-#define SKYBAKE_MARCHES(path, file, name)                                                    \
-    expect_leaping_march(                                                                    \
-        path,                                                                                \
-        [](const Texture& cells, const vec3& p, const vec3& ray) {                           \
-            return SKYBAKE_CALL(file, name##_leap, cells, p, ray);                           \
-        },                                                                                   \
-        [](const Texture& cloud, const Texture& cells, const vec3& from, const vec3& ray,    \
-           float stride, int count) {                                                        \
-            return SKYBAKE_CALL(file, name##_march, cloud, cells, from, ray, stride, count); \
+// The grid of a file, and its functions: one that marches, and one that leaps by these arguments.
+#define SKYBAKE_MARCHES(path, file, march, leap, ...)                                     \
+    expect_leaping_march(                                                                 \
+        path,                                                                             \
+        [](const Texture& cells, const vec3& p, [[maybe_unused]] const vec3& ray) {       \
+            return SKYBAKE_CALL(file, leap, cells, __VA_ARGS__);                          \
+        },                                                                                \
+        [](const Texture& cloud, const Texture& cells, const vec3& from, const vec3& ray, \
+           float stride, int count) {                                                     \
+            return SKYBAKE_CALL(file, march, cloud, cells, from, ray, stride, count);     \
         })
 
-TEST(PrintedLookups, MarchesByLeaps) {
-    SKYBAKE_MARCHES("cells.exr", cells_exr, baked_cells);
-    SKYBAKE_MARCHES("cells.mip1.exr", cells_mip1_exr, baked_cells);
-    SKYBAKE_MARCHES("leaps.bin", leaps_bin, baked_leaps);
-}
-
-TEST(PrintedLookups, MarchesByDistances) {
-    expect_leaping_march(
-        "distance.bin",
-        [](const Texture& texels, const vec3& p, const vec3&) {
-            return SKYBAKE_CALL(distance_bin, baked_distance_distance, texels, p);
-        },
-        [](const Texture& cloud, const Texture& texels, const vec3& from, const vec3& ray,
-           float stride, int count) {
-            return SKYBAKE_CALL(distance_bin, baked_distance_trace, cloud, texels, from, ray,
-                                stride, count);
-        });
+TEST(PrintedLookups, MarchesByLeapsAndDistances) {
+    SKYBAKE_MARCHES("cells.exr", cells_exr, baked_cells_march, baked_cells_leap, p, ray);
+    SKYBAKE_MARCHES("cells.mip1.exr", cells_mip1_exr, baked_cells_march, baked_cells_leap, p, ray);
+    SKYBAKE_MARCHES("leaps.bin", leaps_bin, baked_leaps_march, baked_leaps_leap, p, ray);
+    SKYBAKE_MARCHES("distance.bin", distance_bin, baked_distance_trace, baked_distance_distance, p);
 }
 
 // The library of a folder has the numbers of its recipe and the functions of its files.

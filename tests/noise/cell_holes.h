@@ -44,14 +44,11 @@ inline std::vector<std::array<int, 3>> holes_between(const std::vector<noise::Ce
             for (int corner = 0; corner < 8 && hole; ++corner) {
                 const int i = corner & 1;
                 const int j = (corner >> 1) & 1;
-                const int k = corner >> 2;
-                const noise::CellPoint& point =
-                    (k != 0
-                         ? above
-                         : below)[static_cast<std::size_t>((y - 1 + j) * kHoleCells + x - 1 + i)];
+                const auto cell = static_cast<std::size_t>((y - 1 + j) * kHoleCells + x - 1 + i);
+                const noise::CellPoint& point = (corner < 4 ? below : above)[cell];
                 const float dx = point.x - static_cast<float>(1 - i);
                 const float dy = point.y - static_cast<float>(1 - j);
-                const float dz = point.z - static_cast<float>(1 - k);
+                const float dz = point.z - static_cast<float>(corner < 4);
                 hole = dx * dx + dy * dy + dz * dz > 1;
             }
             if (hole) holes.push_back({x, y, z});
@@ -74,8 +71,8 @@ struct HoleCount {
     }
 };
 
-// The box about a hole, as the kernels make it and by brute force: the specification's operations, over
-// all points of the cells within one and within two of the voxel's.
+// The box about a hole, as the kernels make it and by brute force: the specification's operations,
+// over all points of the cells within one and within two of the voxel's.
 inline HoleCount look_into(const noise::NoiseField& field, std::uint64_t key,
                            const std::array<int, 3>& hole) {
     VoxelBox box;

@@ -22,18 +22,20 @@ double any_number(double from, double to) {
 }
 
 int any_size() {
-    using namespace rc::gen;
-    return *weightedOneOf<int>({{1, just(1)},
-                                {1, map(inRange(1, 6), [](int n) { return 16 * n; })},
-                                {1, element(2, 3, 5, 7, 31, 131, 257, 16384)},
-                                {3, inRange(1, 40)}});
+    namespace gen = rc::gen;
+    return *gen::weightedOneOf<int>(
+        {{1, gen::just(1)},
+         {1, gen::map(gen::inRange(1, 6), [](int n) { return 16 * n; })},
+         {1, gen::element(2, 3, 5, 7, 31, 131, 257, 16384)},
+         {3, gen::inRange(1, 40)}});
 }
 
 int any_frequency(int size) {
-    using namespace rc::gen;
-    return *weightedOneOf<int>({{4, element(1, size, std::max(1, size / 2), std::max(1, size / 4))},
-                                {1, element(255, 256, 257, 300, 1000, 1048576)},
-                                {3, inRange(1, std::max(2, size))}});
+    namespace gen = rc::gen;
+    return *gen::weightedOneOf<int>(
+        {{4, gen::element(1, size, std::max(1, size / 2), std::max(1, size / 4))},
+         {1, gen::element(255, 256, 257, 300, 1000, 1048576)},
+         {3, gen::inRange(1, std::max(2, size))}});
 }
 
 NoiseOctaves any_octaves(const std::array<int, 3>& size) {

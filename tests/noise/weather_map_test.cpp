@@ -25,18 +25,9 @@ using config::WeatherMapBake;
 
 constexpr double kTau = 2 * std::numbers::pi;
 
-config::Noise noise_of_channels(std::vector<config::NoiseChannel> channels) {
-    config::Noise noise = test::noise_of(std::move(channels));
-    const char* names[] = {"R", "G", "B", "A"};
-    for (std::size_t c = 0; c < noise.channels.size() && noise.channels.size() > 1; ++c) {
-        noise.channels[c].name = names[c];
-    }
-    return noise;
-}
-
 config::Noise two_clouds() {
-    return noise_of_channels({test::perlin({{5, 4, 1}, {10, 8, 1}}), test::perlin({{3, 3, 1}}),
-                              test::perlin({{2, 7, 1}})});
+    return test::picture_of({test::perlin({{5, 4, 1}, {10, 8, 1}}), test::perlin({{3, 3, 1}}),
+                             test::perlin({{2, 7, 1}})});
 }
 
 WeatherMapBake bake_of(const std::array<int, 2>& size, std::vector<double> covered,
@@ -171,7 +162,7 @@ TEST(WeatherMap, ConstantsAreCoveredWholeOrNotAtAll) {
     config::NoiseChannel constant;
     constant.name = "Y";
     constant.value = 0.25;
-    const config::Noise noise = noise_of_channels({constant});
+    const config::Noise noise = test::picture_of({constant});
     for (const double covered : {0.0, 1.0}) {
         const auto map = texels_of(noise, bake_of({4, 4}, {covered}, {covered}, PixelType::unorm8));
         for (const float value : map.texels) EXPECT_EQ(value, covered);
@@ -269,7 +260,7 @@ TEST(WeatherMap, StreaksAreThoseOfTheReference) {
 
 TEST(WeatherMap, OneTexelIsCoveredOrNot) {
     for (const double covered : {0.0, 0.4, 0.6, 1.0}) {
-        const auto map = texels_of(noise_of_channels({test::perlin({{1, 1, 1}})}),
+        const auto map = texels_of(test::picture_of({test::perlin({{1, 1, 1}})}),
                                    bake_of({1, 1}, {covered}, {0}, PixelType::unorm8));
         EXPECT_EQ(map.texels.front(), covered < 0.5 ? 0.0F : 1.0F);
     }
@@ -277,9 +268,9 @@ TEST(WeatherMap, OneTexelIsCoveredOrNot) {
 
 TEST(WeatherMap, DirectionsHaveLengthOne) {
     const config::Noise noise =
-        noise_of_channels({test::curl({{4, 4, 4}}, config::CurlComponent::x),
-                           test::curl({{4, 4, 4}}, config::CurlComponent::y),
-                           test::curl({{4, 4, 4}}, config::CurlComponent::z)});
+        test::picture_of({test::curl({{4, 4, 4}}, config::CurlComponent::x),
+                          test::curl({{4, 4, 4}}, config::CurlComponent::y),
+                          test::curl({{4, 4, 4}}, config::CurlComponent::z)});
     WeatherMapBake bake = bake_of({32, 32}, {1, 1, 1}, {0, 0, 0}, PixelType::float32);
     bake.content = WeatherContent::directions;
     const Baked map = baked(noise, bake);
@@ -299,7 +290,7 @@ TEST(WeatherMap, DirectionsHaveLengthOne) {
 
 TEST(WeatherMap, NoDirectionIsTheMiddle) {
     config::NoiseChannel nothing;
-    const config::Noise noise = noise_of_channels({nothing, nothing, nothing});
+    const config::Noise noise = test::picture_of({nothing, nothing, nothing});
     WeatherMapBake bake = bake_of({4, 4}, {1, 1, 1}, {0, 0, 0}, PixelType::float32);
     bake.content = WeatherContent::directions;
     for (const float value : texels_of(noise, bake).texels) EXPECT_EQ(value, 0.5F);
