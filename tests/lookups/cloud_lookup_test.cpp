@@ -1,4 +1,6 @@
 // Noise, clouds, and the march that leaps over what is empty.
+#include <set>
+
 #include "bakers/field/image.h"
 #include "bakers/occupancy/marcher.h"
 #include "config/sections/cloud.h"
@@ -134,6 +136,12 @@ struct CloudTrial {
     double density_at(const glm::dvec3& place) const {
         return filtered_at(cloud, place / glm::dvec3(size_of(cloud)))[0];
     }
+    // In metres from the lower corner of the tile.
+    glm::dvec3 place_of(const Probe& probe) const {
+        const double base_m = baked.recipe.parameters.clouds.front().base_altitude.meters;
+        return {test::at(probe, "x_m"), test::at(probe, "y_m"),
+                test::at(probe, "altitude_m") - base_m};
+    }
     double distance_at(const glm::dvec3& place) const {
         return filtered_at(distances, place / (2.0 * glm::dvec3(size_of(distances))))[0];
     }
@@ -150,6 +158,51 @@ struct CloudTrial {
     Texture distances;
     vec3 tile{3000, 3200, 1000};
 };
+
+// Where the box of a cell that is `leap` cells from an occupied one ends along an axis, in voxels
+// from the tile's corner. Tiles follow each other, and the last cell of each may be smaller.
+int face_of_box(int cell, int leap, bool upwards, int cells, int voxels) {
+    const int face = upwards ? cell + leap : cell + 1 - leap;
+    const int tile = face >= 0 ? face / cells : (face - cells + 1) / cells;
+    return tile * voxels + 4 * (face - tile * cells);
+}
+
+// Compares what the lookup makes of a probe's cell: how far a ray goes on, along each axis and against it.
+void expect_leaps_of_probe(const CloudTrial& trial, const Probe& probe, int leap) {
+    const glm::dvec3 place = trial.place_of(probe);
+    for (int direction = 0; direction < 6; ++direction) {
+        const int axis = direction / 2;
+        const auto i = static_cast<std::size_t>(axis);
+        vec3 ray(0);
+        ray[axis] = direction % 2 == 0 ? 1.0f : -1.0f;
+        const float found =
+            gpu::cloud_lookups::cloud_leap({trial.leaps}, size_of(trial.leaps), 4, kUnormLeap,
+                                           size_of(trial.cloud), vec3(place), ray, trial.tile);
+        const int cells = trial.leaps.size[i];
+        const int voxels = trial.cloud.size[i];
+        const int face = face_of_box(static_cast<int>(probe.uvw[i] * cells), leap,
+                                     direction % 2 == 0, cells, voxels);
+        const double edge_m = double{trial.tile[axis]} / voxels;
+        const double margin_m = edge_m / 64;
+        const double wanted = leap == 0 ? 0 : std::fabs(face * edge_m - place[axis]) - margin_m;
+        EXPECT_NEAR(found, wanted, 1e-5 * (wanted + double{trial.tile[axis]}))
+            << "x " << place.x << ", leap " << leap << ", direction " << direction;
+    }
+}
+
+TEST(CloudLeap, HoldsTheProbes) {
+    for (const char* size : {"[60, 64, 20]", "[60, 64, 19]"}) {
+        const CloudTrial trial(size);
+        std::set<int> leaps;
+        for (const Probe& probe : trial.baked.asset(1).levels.front().probes) {
+            const auto leap = static_cast<int>(std::lround(255 * probe.value.front()));
+            EXPECT_LE(std::fabs(leap / 255.0 - probe.value.front()), probe.tolerance.front());
+            expect_leaps_of_probe(trial, probe, leap);
+            leaps.insert(leap);
+        }
+        EXPECT_GT(leaps.size(), 2U);  // of occupied cells, of their neighbours, and farther ones
+    }
+}
 
 // Marches that look everywhere beside those that skip, over the same rays.
 struct Marches {
