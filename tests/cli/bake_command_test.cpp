@@ -165,15 +165,6 @@ TEST_F(BakeCommand, PrintsPathsOnStdoutAndTheTableOnStderr) {
     EXPECT_EQ(bake({"-q"}).error, "");
 }
 
-TEST_F(BakeCommand, LeavesUnchangedFilesAlone) {
-    ASSERT_EQ(bake().code, 0);
-    const std::string bytes = read_bytes(out_ + "/multiple_scattering.exr");
-    const auto before = made_yesterday(out_ + "/transmittance.exr");
-    ASSERT_EQ(bake({"--set", "atmosphere.ground_albedo=0.9"}).code, 0);
-    EXPECT_EQ(fs::last_write_time(out_ + "/transmittance.exr"), before);
-    EXPECT_NE(read_bytes(out_ + "/multiple_scattering.exr"), bytes);
-}
-
 TEST_F(BakeCommand, OnlyKeepsTheOthersEntries) {
     ASSERT_EQ(bake().code, 0);
     ASSERT_EQ(bake({"--only", "transmittance"}).code, 0);
@@ -239,16 +230,6 @@ TEST_F(BakeCommand, JsonIsOneEventALine) {
     EXPECT_EQ(count_lines(result.out), 4);
     EXPECT_EQ(result.out.rfind("{\"event\":\"plan\"", 0), 0U);
     EXPECT_TRUE(contains(result.out, "\n{\"event\":\"done\""));
-}
-
-TEST_F(BakeCommand, RefusesToOverwriteWhatItDidNotWrite) {
-    fs::create_directory(out_);
-    write_bytes(out_ + "/transmittance.exr", "mine");
-    expect_said(bake(), 3, {"transmittance.exr"});
-    EXPECT_EQ(read_bytes(out_ + "/transmittance.exr"), "mine");
-    EXPECT_EQ(files(), std::vector<std::string>{"transmittance.exr"});
-    EXPECT_EQ(bake({"--force"}).code, 0);
-    EXPECT_EQ(files(), all_);
 }
 
 // 268 million texels take hours: said before any is made.

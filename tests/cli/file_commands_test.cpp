@@ -204,7 +204,7 @@ TEST(DiffCommand, RefusesWhatCannotBeCompared) {
     }
 }
 
-TEST(VerifyCommand, CountsWhatPassed) {
+TEST(VerifyCommand, CountsWhatPassedAndTellsAMovedProbe) {
     using skybake::testing::write_bytes;
     const TemporaryFolder folder;
     const std::string recipe = (folder / "recipe.toml").string();
@@ -216,6 +216,15 @@ TEST(VerifyCommand, CountsWhatPassed) {
     const Result result = run_words({"verify", out});
     EXPECT_EQ(result.code, 0) << result.out;
     expect_has(result.out, {"2 files, ", " checks, all passed\n"});
+    // A probe that names another place than its texture coordinates.
+    std::string manifest = testing::read_bytes(out + "/manifest.json");
+    const std::size_t at = manifest.find("\"cos_zenith\": ");
+    ASSERT_NE(at, std::string::npos);
+    manifest.replace(at, manifest.find_first_of(",\n", at) - at, "\"cos_zenith\": 0.8125");
+    write_bytes(out + "/manifest.json", manifest);
+    const Result moved = run_words({"verify", out});
+    EXPECT_EQ(moved.code, 1);
+    expect_has(moved.out, {"probe place"});
 }
 
 // Returns the failures of `verify --json`, but for places of probes: the parameters of the samples are

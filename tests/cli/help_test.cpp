@@ -121,6 +121,7 @@ TEST(Help, TheProgramAloneSaysAtMostTwelveLines) {
     const testing::Result result = run_words({});
     EXPECT_EQ(result.code, 2);
     EXPECT_TRUE(result.out.empty());
+    EXPECT_TRUE(contains(result.error, "usage: skybake <command>"));
     EXPECT_LE(count_lines(result.error), 12) << result.error;
     for (const Command& command : commands()) {
         EXPECT_FALSE(command.brief.empty()) << command.name;

@@ -41,23 +41,31 @@ bool is_writing(const TemporaryFolder& folder) {
                        [](const std::string& name) { return testing::contains(name, ".tmp"); });
 }
 
-// The exit code of a writer that gets `times` signals while it writes; -1 where one killed it.
-int stop_a_writer(const TemporaryFolder& folder, int signal, int times, bool obeys) {
+// The exit code of a child that works and gets `times` signals, each after it has said so and as soon as
+// it may be stopped; -1 where one killed it.
+int stopped(int signal, int times, const std::function<bool()>& may_stop,
+            const std::function<void(int says)>& work) {
     int ends[2] = {-1, -1};
     EXPECT_EQ(::pipe(ends), 0);
     const pid_t child = ::fork();
-    if (child == 0) write_until_stopped(folder, ends[1], obeys);
+    if (child == 0) work(ends[1]);
     ::close(ends[1]);
     for (int i = 0; i < times; ++i) {
         char byte = 0;
         EXPECT_EQ(::read(ends[0], &byte, 1), 1);
-        while (!is_writing(folder)) ::usleep(100);
+        while (!may_stop()) ::usleep(100);
         ::kill(child, signal);
     }
     int status = 0;
     ::waitpid(child, &status, 0);
     ::close(ends[0]);
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+int stop_a_writer(const TemporaryFolder& folder, int signal, int times, bool obeys) {
+    return stopped(
+        signal, times, [&] { return is_writing(folder); },
+        [&](int says) { write_until_stopped(folder, says, obeys); });
 }
 
 TEST(Interrupt, TheFirstSignalAsksToStop) {
@@ -95,19 +103,10 @@ TEST(Interrupt, TheSecondSignalEndsAtOnceAndLeavesNoTemporary) {
 TEST(Interrupt, OneSignalEndsAProcessThatDoesNotListen) {
     for (const int signal : {SIGINT, SIGTERM}) {
         const TemporaryFolder folder;
-        int ends[2] = {-1, -1};
-        ASSERT_EQ(::pipe(ends), 0);
-        const pid_t child = ::fork();
-        if (child == 0) compute_for_a_minute(folder, ends[1]);
-        ::close(ends[1]);
-        char byte = 0;
-        EXPECT_EQ(::read(ends[0], &byte, 1), 1);
-        ::kill(child, signal);
-        int status = 0;
-        ::waitpid(child, &status, 0);
-        ::close(ends[0]);
-        ASSERT_TRUE(WIFEXITED(status));
-        EXPECT_EQ(WEXITSTATUS(status), 130);
+        const auto work = [&](int says) { compute_for_a_minute(folder, says); };
+        EXPECT_EQ(stopped(
+                      signal, 1, [] { return true; }, work),
+                  130);
         EXPECT_EQ(folder.names(), std::vector<std::string>());
     }
 }

@@ -10,13 +10,6 @@ namespace {
 
 using testing::run_program;
 
-TEST(Program, AloneSaysAtMostTwelveLines) {
-    const Result result = run_program({});
-    EXPECT_EQ(result.code, 2);
-    EXPECT_TRUE(contains(result.error, "usage: skybake <command>"));
-    EXPECT_LE(testing::count_lines(result.out + result.error), 12);
-}
-
 TEST(Program, HelpAndVersionGoToStdout) {
     const Result help = run_program({"--help"});
     EXPECT_EQ(help.code, 0);
@@ -146,30 +139,6 @@ TEST(Program, EveryFailureIsAnEvent) {
         EXPECT_EQ(event_of({name, "/absent/a", "/absent/b", "/absent/c", "--json"})["command"],
                   name);
     }
-}
-
-TEST(Program, VerifiesAFolder) {
-    using skybake::testing::read_bytes;
-    using skybake::testing::write_bytes;
-    const TemporaryFolder folder;
-    const std::string recipe = (folder / "recipe.toml").string();
-    const std::string out = (folder / "out").string();
-    write_bytes(recipe, "preset = \"earth_hillaire\"\n[bake.transmittance]\nsize = [16, 8]\n");
-    ASSERT_EQ(run_program({"bake", recipe, "-o", out}).code, 0);
-    EXPECT_EQ(run_program({"verify", out}).code, 0);
-    // A probe that names another place than its texture coordinates.
-    std::string manifest = read_bytes(out + "/manifest.json");
-    const std::size_t at = manifest.find("\"cos_zenith\": ");
-    ASSERT_NE(at, std::string::npos);
-    manifest.replace(at, manifest.find_first_of(",\n", at) - at, "\"cos_zenith\": 0.8125");
-    write_bytes(out + "/manifest.json", manifest);
-    const Result moved = run_program({"verify", out});
-    EXPECT_EQ(moved.code, 1);
-    EXPECT_TRUE(contains(moved.out, "probe place")) << moved.out;
-    std::filesystem::remove(out + "/transmittance.exr");
-    EXPECT_EQ(run_program({"verify", out}).code, 1);
-    std::filesystem::remove(out + "/manifest.json");
-    EXPECT_EQ(run_program({"verify", out}).code, 3);
 }
 
 }  // namespace

@@ -243,6 +243,7 @@ TEST_F(VolumeBake, RefusesToOverwriteAnyOfItsFiles) {
     write_bytes(file("wisps.mip1.bin"), "mine");
     expect_said(bake(), 3, {"wisps.mip1.bin"});
     EXPECT_EQ(files(), Names{"wisps.mip1.bin"});
+    EXPECT_EQ(read_bytes(file("wisps.mip1.bin")), "mine");
     EXPECT_EQ(bake({"--force"}).code, 0);
     EXPECT_EQ(files(), all_);
 }

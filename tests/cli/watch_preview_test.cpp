@@ -1,6 +1,7 @@
 // preview --watch: the real program as a child that is stopped by a signal.
 #include <csignal>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <thread>
 
 #include "cli/preview.h"
@@ -15,13 +16,15 @@ using nlohmann::json;
 class Watcher {
   public:
     Watcher(const TemporaryFolder& folder, const std::string& recipe,
-            const std::vector<std::string>& options = {})
-        : out_((folder / "out").string()),
-          program_(words(recipe, out_, options), (folder / "error").string()) {}
+            std::vector<std::string> words = {})
+        : out_((folder / "out").string()) {
+        words.insert(words.begin(), {"preview", recipe, "--watch", "-o", out_});
+        program_.emplace(words, (folder / "error").string());
+    }
 
     int stop(int signal) {
-        program_.signal(signal);
-        return program_.wait();
+        program_->signal(signal);
+        return program_->wait();
     }
 
     json state() const {
@@ -32,7 +35,7 @@ class Watcher {
     // Waits for it as long as the program runs; false where that has ended without.
     bool becomes_true(const std::function<bool()>& holds) const {
         for (; !holds(); ::usleep(5000)) {
-            if (program_.has_ended()) return holds();
+            if (program_->has_ended()) return holds();
         }
         return true;
     }
@@ -49,15 +52,8 @@ class Watcher {
     const std::string& out() const { return out_; }
 
   private:
-    static std::vector<std::string> words(const std::string& recipe, const std::string& out,
-                                          const std::vector<std::string>& options) {
-        std::vector<std::string> all = {"preview", recipe, "--watch", "-o", out};
-        all.insert(all.end(), options.begin(), options.end());
-        return all;
-    }
-
     std::string out_;
-    testing::RunningProgram program_;
+    std::optional<testing::RunningProgram> program_;
 };
 
 std::string recipe_of(const std::string& seed) {

@@ -15,6 +15,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -56,14 +57,19 @@ std::string cell(std::string_view text) {
 
 std::string code(std::string_view text) { return fmt::format("`{}`", text); }
 
+std::string coded(const std::vector<std::string_view>& words, std::string_view between) {
+    std::vector<std::string> codes;
+    for (const std::string_view word : words) codes.push_back(code(word));
+    return fmt::format("{}", fmt::join(codes, between));
+}
+
 std::string units_table() {
     std::string text = "| quantity | units |\n|---|---|\n";
     for (const Dimension dimension :
          {Dimension::fraction, Dimension::length, Dimension::inverse_length,
           Dimension::number_density, Dimension::angle}) {
-        std::vector<std::string> units;
-        for (const std::string_view unit : unit_names(dimension)) units.push_back(code(unit));
-        text += fmt::format("| {} | {} |\n", dimension_name(dimension), fmt::join(units, ", "));
+        text += fmt::format("| {} | {} |\n", dimension_name(dimension),
+                            coded(unit_names(dimension), ", "));
     }
     return text;
 }
@@ -72,11 +78,8 @@ std::string units_table() {
 std::string title(const Section& section) {
     if (!section.asset.empty()) return fmt::format("Asset {}", section.asset);
     if (section.path.empty()) return "Top level";
-    std::string path(section.path);
-    for (std::size_t at = path.find('*'); at != std::string::npos; at = path.find('*')) {
-        path.replace(at, 1, "NAME");
-    }
-    return fmt::format("[{}]", path);
+    static const std::regex star("\\*");
+    return fmt::format("[{}]", std::regex_replace(std::string(section.path), star, "NAME"));
 }
 
 // The anchor that renderers of Markdown make of a title.
@@ -119,12 +122,6 @@ std::string allowed(const Field& field) {
     return fmt::format("{}", fmt::join(parts, "<br>"));
 }
 
-std::string coded(const std::vector<std::string_view>& words, std::string_view between) {
-    std::vector<std::string> codes;
-    for (const std::string_view word : words) codes.push_back(code(word));
-    return fmt::format("{}", fmt::join(codes, between));
-}
-
 std::string meaning(const Section& section, const Field& field) {
     std::string text = cell(field.documentation);
     if (!field.selector.empty()) {
@@ -147,48 +144,41 @@ struct KeyRow {
     std::string start;  // key and kind
     std::string by_default;
     std::string end;  // what is allowed, and the meaning
+    int uses = 0;     // how many assets have it
 
     std::string text(std::string_view given) const { return start + std::string(given) + end; }
     bool says_what(const KeyRow& other) const { return start == other.start && end == other.end; }
 };
 
-KeyRow row_of(const Section& section, const Field& field) {
-    return {&field, fmt::format("| `{}` | {} | ", field.key, cell(std::string(field.kind.words))),
-            default_of(field),
-            fmt::format(" | {} | {} |\n", allowed(field), meaning(section, field))};
-}
-
 std::vector<KeyRow> rows_of(const Section& section) {
     std::vector<KeyRow> rows;
-    for (const Field& field : section.fields) rows.push_back(row_of(section, field));
+    for (const Field& field : section.fields) {
+        rows.push_back({&field, fmt::format("| `{}` | {} | ", field.key, cell(field.kind.words)),
+                        default_of(field),
+                        fmt::format(" | {} | {} |\n", allowed(field), meaning(section, field))});
+    }
     return rows;
+}
+
+// The row that says the same; the end where there is none.
+std::vector<KeyRow>::iterator alike(std::vector<KeyRow>& rows, const KeyRow& row) {
+    return std::ranges::find_if(rows, [&](const KeyRow& other) { return other.says_what(row); });
 }
 
 // The keys that at least three assets have alike, but perhaps for the default.
 std::vector<KeyRow> shared_rows() {
-    constexpr int fewest = 3;
     std::vector<KeyRow> shared;
-    std::vector<int> uses;
     for (const Section& section : sections()) {
         if (section.asset.empty()) continue;
         for (const KeyRow& row : rows_of(section)) {
-            const auto same = std::find_if(shared.begin(), shared.end(), [&](const KeyRow& other) {
-                return other.says_what(row);
-            });
-            const auto at = static_cast<std::size_t>(same - shared.begin());
-            if (same == shared.end()) {
-                shared.push_back(row);
-                uses.push_back(0);
-            }
-            ++uses[at];
-            if (shared[at].by_default != row.by_default) shared[at].by_default = "the asset's";
+            auto same = alike(shared, row);
+            if (same == shared.end()) same = shared.insert(same, row);
+            ++same->uses;
+            if (same->by_default != row.by_default) same->by_default = "the asset's";
         }
     }
-    std::vector<KeyRow> often;
-    for (std::size_t i = 0; i < shared.size(); ++i) {
-        if (uses[i] >= fewest) often.push_back(shared[i]);
-    }
-    return often;
+    std::erase_if(shared, [](const KeyRow& row) { return row.uses < 3; });
+    return shared;
 }
 
 constexpr std::string_view kTableHead =
@@ -202,7 +192,7 @@ std::string page_of_shared(const std::vector<KeyRow>& shared) {
     return text;
 }
 
-std::string section_of_page(const Section& section, const std::vector<KeyRow>& shared) {
+std::string section_of_page(const Section& section, std::vector<KeyRow>& shared) {
     std::string text = fmt::format("\n## {}\n\n", title(section));
     std::string documentation = cell(section.documentation);
     documentation[0] =
@@ -216,8 +206,7 @@ std::string section_of_page(const Section& section, const std::vector<KeyRow>& s
     std::string own;
     std::vector<std::string> others;
     for (const KeyRow& row : rows_of(section)) {
-        const auto same = std::find_if(shared.begin(), shared.end(),
-                                       [&](const KeyRow& other) { return other.says_what(row); });
+        const auto same = alike(shared, row);
         if (section.asset.empty() || same == shared.end()) {
             own += row.text(row.by_default);
         } else {
@@ -237,7 +226,7 @@ std::string section_of_page(const Section& section, const std::vector<KeyRow>& s
 std::string keys_page() {
     std::string text(kKeysPageHead);
     text += units_table() + '\n' + contents();
-    const std::vector<KeyRow> shared = shared_rows();
+    std::vector<KeyRow> shared = shared_rows();
     bool is_told = false;
     for (const Section& section : sections()) {
         if (!section.asset.empty() && !is_told) text += page_of_shared(shared);

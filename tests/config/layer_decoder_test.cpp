@@ -118,17 +118,6 @@ TEST(LayerDecoder, ASwitchedOffLayerIsDroppedButChecked) {
     EXPECT_FALSE(has_value(recipe, "atmosphere.layers.mie.g"));
 }
 
-TEST(LayerDecoder, NamesMayBeAnything) {
-    const Recipe recipe = valid(
-        "preset = 'vacuum'\n[atmosphere.layers.'sea fog.1']\nprofile = 'exponential'\n"
-        "scale_height = '100 m'\n",
-        {"atmosphere.layers.'sea fog.1'.scattering=1e-3 /m"});
-    ASSERT_EQ(recipe.parameters.atmosphere.layers.size(), 1u);
-    EXPECT_EQ(recipe.parameters.atmosphere.layers[0].name, "sea fog.1");
-    EXPECT_EQ(value_at(recipe, "atmosphere.layers.\"sea fog.1\".scattering").written,
-              "\"1e-3 /m\"");
-}
-
 TEST(ParticleDecoder, EveryPresetIsParticles) {
     for (const Preset& preset : particle_presets()) {
         const Recipe recipe = valid("preset = 'vacuum'\n[particles.p]\npreset = '" +

@@ -4,6 +4,7 @@
 #include <rapidcheck.h>
 
 #include "config/diagnostics/toml_source.h"
+#include "config/text/key_path.h"
 
 namespace skybake::config {
 namespace {
@@ -18,27 +19,27 @@ Table table_of(const std::string& text) {
 
 std::string spelled(Table table) { return value_to_string(Value{std::move(table), {}}); }
 
-std::string merged(const std::string& base, const std::string& over) {
-    Table result = table_of(base);
-    merge(result, table_of(over));
-    return spelled(std::move(result));
+// What becomes of the keys of a section that a later source gives, too.
+std::string merged(const std::string& base, const std::string& over,
+                   const std::string& section = "") {
+    const std::string head = section.empty() ? "" : "[" + section + "]\n";
+    Table result = table_of(head + base);
+    merge(result, table_of(head + over));
+    const Table* table = &result;
+    for (const std::string& name : split_path(section).value_or(std::vector<std::string>{})) {
+        table = as_table(find_entry(*table, name)->value);
+    }
+    return spelled(*table);
 }
 
-// The same for the keys of one layer.
 std::string merged_layer(const std::string& base, const std::string& over) {
-    Table result = table_of("[atmosphere.layers.x]\n" + base);
-    merge(result, table_of("[atmosphere.layers.x]\n" + over));
-    Entry* atmosphere = find_entry(result, "atmosphere");
-    Entry* layers = find_entry(std::get<Table>(atmosphere->value.data), "layers");
-    Entry* layer = find_entry(std::get<Table>(layers->value.data), "x");
-    return value_to_string(layer->value);
+    return merged(base, over, "atmosphere.layers.x");
 }
-
 std::string merged_bake(const std::string& base, const std::string& over) {
-    Table result = table_of("[bake.transmittance]\n" + base);
-    merge(result, table_of("[bake.transmittance]\n" + over));
-    Entry* bake = find_entry(result, "bake");
-    return value_to_string(find_entry(std::get<Table>(bake->value.data), "transmittance")->value);
+    return merged(base, over, "bake.transmittance");
+}
+std::string merged_channel(const std::string& base, const std::string& over) {
+    return merged(base, over, "noise.n.channels.R");
 }
 
 TEST(Merge, TablesMergeKeyByKeyAndArraysReplace) {
@@ -62,11 +63,10 @@ TEST(Merge, ATableThatStandsForAnArrayReplaces) {
 }
 
 TEST(Merge, TakingAwayWhatKeysNeedDropsThem) {
-    EXPECT_EQ(
-        merged("[clouds.c]\ndetail = 'd'\nerosion = 1\nthreshold = 1", "[clouds.c]\ndetail = ''"),
-        "{ clouds = { c = { detail = \"\", threshold = 1 } } }");
-    EXPECT_EQ(merged("[clouds.c]\ndetail = 'd'\nerosion = 1", "[clouds.c]\ndetail = 'e'"),
-              "{ clouds = { c = { detail = \"e\", erosion = 1 } } }");
+    EXPECT_EQ(merged("detail = 'd'\nerosion = 1\nthreshold = 1", "detail = ''", "clouds.c"),
+              "{ detail = \"\", threshold = 1 }");
+    EXPECT_EQ(merged("detail = 'd'\nerosion = 1", "detail = 'e'", "clouds.c"),
+              "{ detail = \"e\", erosion = 1 }");
 }
 
 TEST(Merge, AnExclusiveKeyDropsTheOthers) {
@@ -88,16 +88,6 @@ TEST(Merge, AnotherProfileOrPhaseDropsTheKeysOfTheOldOne) {
               "{ phase = \"rayleigh\" }");
     EXPECT_EQ(merged_layer("phase = 'cornette_shanks'\ng = 1", "phase = 'henyey_greenstein'"),
               "{ g = 1, phase = \"henyey_greenstein\" }");
-}
-
-// The same for the keys of one channel of a noise.
-std::string merged_channel(const std::string& base, const std::string& over) {
-    Table result = table_of("[noise.n.channels.R]\n" + base);
-    merge(result, table_of("[noise.n.channels.R]\n" + over));
-    const std::string text = spelled(std::move(result));
-    const std::string before = "{ noise = { n = { channels = { R = ";
-    EXPECT_TRUE(text.starts_with(before)) << text;
-    return text.substr(before.size(), text.size() - before.size() - std::string(" } } } }").size());
 }
 
 TEST(Merge, AListOfFrequenciesAndASeriesDropEachOther) {
@@ -124,32 +114,6 @@ TEST(Merge, LayersOfDifferentNamesDoNotTouch) {
     EXPECT_EQ(
         merged("[atmosphere.layers.a]\nextinction = 1", "[atmosphere.layers.b]\nabsorption = 2"),
         "{ atmosphere = { layers = { a = { extinction = 1 }, b = { absorption = 2 } } } }");
-}
-
-std::vector<Diagnostic> contradictions(const std::string& text) {
-    const Source source{Source::Kind::file, 0, "test.toml", text};
-    DiagnosticList list;
-    const std::optional<Table> table = parse_toml(source, list);
-    check_exclusive_keys(table.value(), list);
-    return list.take();
-}
-
-TEST(Merge, TwoExclusiveKeysOfOneSourceAreReported) {
-    const auto found =
-        contradictions("[atmosphere.layers.mie]\nextinction = \"4 /m\"\nabsorption = \"1 /m\"\n");
-    ASSERT_EQ(found.size(), 1u);
-    EXPECT_EQ(found[0].code, "E0109");
-    EXPECT_EQ(found[0].where.line, 3);
-    EXPECT_EQ(found[0].where.length, 10);
-    EXPECT_EQ(found[0].message,
-              "`atmosphere.layers.mie.absorption` and `atmosphere.layers.mie.extinction` exclude "
-              "each other");
-    EXPECT_EQ(found[0].label, "`extinction` is given already (line 2): keep one");
-    EXPECT_EQ(
-        contradictions("[bake.x]\nasset = 'transmittance'\nmax_error = 0.1\nsize = [1, 1]").size(),
-        1u);
-    EXPECT_TRUE(contradictions("[bake.transmittance]\nsize = [1, 1]").empty());
-    EXPECT_TRUE(contradictions("extinction = 1\nabsorption = 2").empty());
 }
 
 // Random tables of plain keys: no key excludes another.

@@ -16,24 +16,13 @@ namespace {
 using namespace testing;
 using Triple = std::array<int, 3>;
 
-TEST(NoiseDecoder, ReadsStepsAndClamps) {
-    const auto channel = [](const std::string& keys) {
-        return channel_of("type = 'worley'\n" + keys);
-    };
-    EXPECT_EQ(*channel("smoothstep = [0.8, 1.4]").smoothstep, (std::array<double, 2>{0.8, 1.4}));
-    EXPECT_EQ(channel("clamp = true").clamp, (std::array<double, 2>{0, 1}));
-    EXPECT_EQ(channel("clamp = [-0.5, 2]").clamp, (std::array<double, 2>{-0.5, 2}));
-    EXPECT_EQ(channel("clamp = [1, 1]").clamp, (std::array<double, 2>{1, 1}));
-    EXPECT_TRUE(channel("clamp = false") == channel(""));
-}
-
 TEST(NoiseDecoder, ReadsEveryKey) {
     const NoiseChannel channel = channel_of(
         "type = 'perlin_worley'\nfractal = 'billow'\nfeature = 'f2_minus_f1'\n"
         "value_form = 'one_minus_distance_over_sqrt3'\nseed = 3\nremap = [0.1, 0.9, 1, 0]\n"
         "smoothstep = [0.2, 0.7]\ninvert = true\nbias = 0.25\nclamp = [0.1, 0.5]\nfrequencies = "
-        "[3]\nworley_frequencies = [5, 6]\n"
-        "worley_gains = [2, 1]");
+        "[3]\nworley_frequencies = [5, 6]\nworley_gains = [2, 1]\nwarp_strength = -0.2\n"
+        "warp_by = 'gradient'\nwarp_frequency = [2, 3, 4]\nwarp_octaves = 2\nwarp_gain = 0.25");
     NoiseChannel expected;
     expected.name = "Y";
     expected.type = NoiseType::perlin_worley;
@@ -48,6 +37,9 @@ TEST(NoiseDecoder, ReadsEveryKey) {
     expected.invert = true;
     expected.bias = 0.25;
     expected.clamp = {0.1, 0.5};
+    expected.warp_strength = -0.2;
+    expected.warp_by = NoiseWarp::gradient;
+    expected.warp_octaves = {{{2, 3, 4}, {4, 6, 8}}, {1, 0.25}};
     EXPECT_TRUE(channel == expected);
     EXPECT_EQ(channel_of("type = 'curl'\ncomponent = 'z'").component, CurlComponent::z);
     EXPECT_EQ(channel_of("type = 'constant'\nvalue = -0.5").value, -0.5);
@@ -138,18 +130,6 @@ TEST(OctaveSampling, AgreesWithEveryVoxel) {
     }));
 }
 
-TEST(NoiseWarp, OfCurlyAlligatorIsAQuarterOfACellByDefault) {
-    const NoiseChannel curly = channel_of("type = 'curly_alligator'\nfrequency = [5, 4, 2]");
-    EXPECT_EQ(curly.warp_strength, 0.05);
-    EXPECT_EQ(curly.warp_by, NoiseWarp::curl);
-    const NoiseChannel warped = channel_of(
-        "type = 'perlin'\nwarp_strength = -0.2\nwarp_by = 'gradient'\nwarp_frequency = [2, 3, 4]\n"
-        "warp_octaves = 2\nwarp_gain = 0.25");
-    EXPECT_EQ(warped.warp_by, NoiseWarp::gradient);
-    EXPECT_EQ(warped.warp_octaves.frequencies, (std::vector<Triple>{{2, 3, 4}, {4, 6, 8}}));
-    EXPECT_EQ(warped.warp_octaves.gains, (std::vector<double>{1, 0.25}));
-}
-
 TEST(NoiseTime, HasItsKeys) {
     const Noise given =
         valid(channel_recipe("type = 'perlin'") +
@@ -201,15 +181,6 @@ TEST(Frames, AreCountedByTheFirstWithAScene) {
     EXPECT_EQ(frames("n_0001", 1, "'vdb'"), 0);
     EXPECT_EQ(frames("n_0001", 2, "'vdb', 'usda'"), 0);
     EXPECT_EQ(frames("n", 1, "'vdb', 'usda'"), 0);
-}
-
-TEST(Frames, ThatAreNoWholeLoopsAreWarnedOf) {
-    const auto outcome = parse(frames_recipe("frames = 10", "period = 4"));
-    ASSERT_TRUE(outcome.value);
-    ASSERT_EQ(outcome.diagnostics.size(), 1u);
-    EXPECT_EQ(outcome.diagnostics[0].code, "W0219");
-    EXPECT_EQ(outcome.value->parameters.bakes.size(), 10u);
-    EXPECT_TRUE(parse(frames_recipe("frames = 8", "period = 4")).diagnostics.empty());
 }
 
 }  // namespace

@@ -108,37 +108,6 @@ TEST(Recipe, IncludesComeBeforeTheFileAndSettingsAfter) {
     EXPECT_EQ(load_recipe(path).value->inputs.size(), 2u);
 }
 
-TEST(Recipe, ALaterSourceReplacesTheAlternatives) {
-    const Recipe recipe = valid(
-        "preset = 'earth_hillaire'\n[atmosphere.layers.mie]\nsingle_scattering_albedo = 0.5\nphase "
-        "= "
-        "'rayleigh'\n"
-        "[atmosphere.layers.ozone]\nprofile = 'exponential'\nscale_height = '8 km'\n",
-        {"atmosphere.layers.rayleigh.absorption=1e-6 /m"});
-    const Layer* mie = testing::find_layer(recipe.parameters, "mie");
-    ASSERT_TRUE(mie);
-    EXPECT_EQ(mie->extinction[0].per_meter, 3.996e-6 / 0.5);
-    EXPECT_EQ(mie->phase, Phase::rayleigh);
-    EXPECT_EQ(testing::find_layer(recipe.parameters, "ozone")->profile, Profile::exponential);
-}
-
-TEST(Recipe, SettingsTakeTomlOrText) {
-    const auto albedo = [](const std::string& setting) {
-        return valid("preset = 'earth_hillaire'", {setting}).parameters.atmosphere.ground_albedo;
-    };
-    EXPECT_EQ(albedo("atmosphere.ground_albedo=0.5"), std::vector<double>(3, 0.5));
-    EXPECT_EQ(albedo("atmosphere.ground_albedo = [0.1, 0.2, 0.3]"),
-              (std::vector<double>{0.1, 0.2, 0.3}));
-    EXPECT_EQ(albedo("atmosphere.ground_albedo=50 %"), std::vector<double>(3, 0.5));
-    EXPECT_EQ(albedo("atmosphere={ground_albedo=0.5}"), std::vector<double>(3, 0.5));
-}
-
-TEST(Recipe, EquivalentSpellingsResolveToTheSameText) {
-    EXPECT_EQ(
-        all_parameters(valid("preset = 'earth_hillaire'", {"atmosphere.ground_radius=6360000 m"})),
-        all_parameters(valid("preset = 'earth_hillaire'")));
-}
-
 // A locale with a decimal comma and points between the thousands, whether installed or not.
 class CommaPunctuation : public std::numpunct<char> {
     char do_decimal_point() const override { return ','; }

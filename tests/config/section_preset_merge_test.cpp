@@ -7,38 +7,6 @@
 namespace skybake::config {
 namespace {
 
-TEST(SectionPresetMerge, EachNoiseHasItsOwn) {
-    const Recipe recipe = valid(
-        "[noise.b]\npreset = 'nubis_shape'\n[noise.a]\npreset = 'nubis_shape'\nseed = 3\n"
-        "[noise.c.channels.Y]\ntype = 'curl'\n");
-    ASSERT_EQ(recipe.parameters.noises.size(), 3u);
-    EXPECT_EQ(recipe.parameters.noises[0].name, "a");
-    EXPECT_EQ(recipe.parameters.noises[0].seed, 3u);
-    EXPECT_EQ(recipe.parameters.noises[1].seed, 0u);
-    EXPECT_EQ(recipe.parameters.noises[2].channels.size(), 1u);
-}
-
-TEST(SectionPresetMerge, CloudsHaveTheirOwn) {
-    const std::string noises =
-        "[noise.shape]\npreset = 'nubis_shape'\n[noise.billows]\npreset = 'billows'\n";
-    const auto cloud = [&](const std::string& keys) {
-        return valid(noises + "[clouds.c]\n" + keys).parameters.clouds.at(0);
-    };
-    const Cloud plain = cloud("preset = 'cumulus_congestus'\n");
-    const Cloud changed =
-        cloud("preset = 'cumulus_congestus'\nwisp_height = 1\nconvection.seed = 5\n");
-    EXPECT_EQ(changed.detail, "billows");
-    EXPECT_EQ(changed.wisp_height, 1);
-    EXPECT_EQ(changed.convection.seed, 5u);
-    EXPECT_EQ(changed.convection.cells, plain.convection.cells);
-    EXPECT_EQ(
-        cloud("preset = 'stratus'\nheight_profile.type = 'thesis'\n").height_profile.top_falloff,
-        4);
-    const Cloud plainer = cloud("preset = 'cumulus_congestus'\ndetail = ''\n");
-    EXPECT_EQ(plainer.erosion[1], 0);
-    EXPECT_EQ(plainer.extent[0].meters, plain.extent[0].meters);
-}
-
 const std::string plain_cloud = "[clouds.c]\npreset = 'stratocumulus'\n";
 const std::string bake_of_it =
     "[bake.c]\nasset = 'cloud_volume'\ncloud = 'c'\nsize = [512, 512, 32]\n";
@@ -102,14 +70,6 @@ TEST(SectionPresetMerge, NoisesOfTwoPresetsDoNotCollide) {
     const Recipe seeded = valid(stratus + thesis + "[noise.shape_low]\nseed = 9\n");
     EXPECT_EQ(seeded.parameters.noises.at(2).seed, 9u);
     EXPECT_EQ(seeded.parameters.noises.at(2).pack, NoisePacking::none);
-}
-
-// A noise and a cloud may start from presets of one name.
-TEST(SectionPresetMerge, KindsDoNotMixUp) {
-    const Recipe recipe =
-        valid("[noise.shape]\npreset = 'thesis'\n[clouds.shape]\npreset = 'thesis'\n");
-    EXPECT_EQ(recipe.parameters.noises.at(0).channels.size(), 4u);
-    EXPECT_EQ(recipe.parameters.clouds.at(0).towers.size(), 3u);
 }
 
 }  // namespace

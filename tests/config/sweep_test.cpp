@@ -40,6 +40,8 @@ Strings values_of(const Sweep& sweep, std::size_t axis = 0) {
     return values;
 }
 
+Strings swept(const std::string& line) { return values_of(sweep_of(line)); }
+
 Outcome<Sweep> varied(const std::string& text, const Strings& vary, const Strings& zip = {},
                       const std::optional<std::string>& sobol = {}) {
     const TemporaryFolder folder;
@@ -53,28 +55,24 @@ TEST(Sweep, WithoutATableNothingVaries) {
 }
 
 TEST(Sweep, RangesAreEvenAndWithoutNoise) {
-    EXPECT_EQ(values_of(sweep_of("'clouds.c.threshold' = { from = 0.2, to = 0.5, count = 7 }")),
+    EXPECT_EQ(swept("'clouds.c.threshold' = { from = 0.2, to = 0.5, count = 7 }"),
               (Strings{"0.2", "0.25", "0.3", "0.35", "0.4", "0.45", "0.5"}));
-    EXPECT_EQ(values_of(sweep_of("'clouds.c.threshold' = { from = 0, to = 1, count = 4 }")),
+    EXPECT_EQ(swept("'clouds.c.threshold' = { from = 0, to = 1, count = 4 }"),
               (Strings{"0", "0.33333333333", "0.66666666667", "1"}));
-    EXPECT_EQ(values_of(sweep_of("'clouds.c.threshold' = { from = 1, to = 0, count = 3 }")),
+    EXPECT_EQ(swept("'clouds.c.threshold' = { from = 1, to = 0, count = 3 }"),
               (Strings{"1", "0.5", "0"}));
     EXPECT_EQ(
-        values_of(
-            sweep_of("'clouds.c.base_altitude' = { from = '-0.3 km', to = '0.7 km', count = 11 }"))
-            .at(3),
+        swept("'clouds.c.base_altitude' = { from = '-0.3 km', to = '0.7 km', count = 11 }").at(3),
         "0 km");
-    EXPECT_EQ(values_of(sweep_of("'noise.n.seed' = { from = 1, to = 4, count = 4 }")),
+    EXPECT_EQ(swept("'noise.n.seed' = { from = 1, to = 4, count = 4 }"),
               (Strings{"1", "2", "3", "4"}));
 }
 
 TEST(Sweep, LogRangesHaveEqualRatios) {
-    EXPECT_EQ(values_of(sweep_of(
-                  "'clouds.c.threshold' = { from = 1e-3, to = 1, count = 4, scale = 'log' }")),
+    EXPECT_EQ(swept("'clouds.c.threshold' = { from = 1e-3, to = 1, count = 4, scale = 'log' }"),
               (Strings{"0.001", "0.01", "0.1", "1"}));
-    EXPECT_EQ(
-        values_of(sweep_of("'noise.n.seed' = { from = 1, to = 64, count = 7, scale = 'log' }")),
-        (Strings{"1", "2", "4", "8", "16", "32", "64"}));
+    EXPECT_EQ(swept("'noise.n.seed' = { from = 1, to = 64, count = 7, scale = 'log' }"),
+              (Strings{"1", "2", "4", "8", "16", "32", "64"}));
 }
 
 TEST(Sweep, QuantitiesKeepTheUnitThatTheEndsShare) {
@@ -82,8 +80,7 @@ TEST(Sweep, QuantitiesKeepTheUnitThatTheEndsShare) {
         sweep_of("'clouds.c.base_altitude' = { from = '1 km', to = '2 km', count = 3 }");
     EXPECT_EQ(values_of(shared), (Strings{"1 km", "1.5 km", "2 km"}));
     EXPECT_EQ(shared.axes[0].rows[1][0].toml, "\"1.5 km\"");
-    EXPECT_EQ(values_of(sweep_of(
-                  "'clouds.c.base_altitude' = { from = '500 m', to = '1 km', count = 3 }")),
+    EXPECT_EQ(swept("'clouds.c.base_altitude' = { from = '500 m', to = '1 km', count = 3 }"),
               (Strings{"500 m", "750 m", "1 km"}));
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <map>
 
 #include "config/assets/asset_kind.h"
 #include "config/assets/bruneton.h"
@@ -15,28 +16,29 @@ namespace {
 using Codes = std::vector<std::string>;
 
 // A recipe with one section of that asset, which gives these keys.
+// The keys that an asset needs besides its name.
+const std::map<std::string_view, std::string> NEEDED_KEYS = {
+    {"noise_volume", "noise = 'n'\nsize = [16, 16, 16]\n"},
+    {"weather_map", "noise = 'n'\n"},
+    {"cloud_volume", "cloud = 'c'\nsize = [16, 16, 16]\n"},
+    {"occupancy", "of = 'v'\n"},
+    {"cloud_distance", "of = 'v'\n"},
+    {"cloud_light", "of = 'v'\nsun_elevations = '30 deg'\n"},
+    {"flipbook", "of = 'v'\n"},
+    {"sky_view", "sun_elevations = '30 deg'\n"},
+    {"phase", "layer = 'mie'\n"},
+    {"aerial_perspective", "sun_elevation = '30 deg'\n"},
+    {"environment", "sun_elevation = '30 deg'\n"}};
+
 std::string recipe_of(std::string_view asset, const std::string& keys) {
-    std::string more;
-    if (asset == "noise_volume") more = "noise = 'n'\nsize = [16, 16, 16]\n";
-    if (asset == "weather_map") more = "noise = 'n'\n";
-    if (asset == "cloud_volume") more = "cloud = 'c'\nsize = [16, 16, 16]\n";
-    if (asset == "occupancy" || asset == "cloud_distance") more = "of = 'v'\n";
-    if (asset == "cloud_light") more = "of = 'v'\nsun_elevations = '30 deg'\n";
-    if (asset == "flipbook") more = "of = 'v'\n";
-    const bool needs_frames = asset == "flipbook";
-    const std::string moving = needs_frames ? "[noise.n]\nperiod = 1\n" : "";
-    const std::string volume = needs_frames ? "[bake.v_0001]\nframe = 1\n" : "[bake.v]\n";
-    if (asset == "sky_view") more = "sun_elevations = '30 deg'\n";
-    if (asset == "phase") more = "layer = 'mie'\n";
-    if (asset == "aerial_perspective" || asset == "environment")
-        more = "sun_elevation = '30 deg'\n";
-    return "preset = 'takram'\n" + moving +
+    const bool frames = asset == "flipbook";
+    const auto needed = NEEDED_KEYS.find(asset);
+    return "preset = 'takram'\n[noise.n]\n" + std::string(frames ? "period = 1\n" : "") +
            "[noise.n.channels.Y]\ntype = 'perlin'\nremap = [-1, 1, 0, 1]\n[clouds.c]\n"
            "noise = 'n'\nextent = ['1 m', '1 m', '1 m']\n" +
-           volume +
-           "asset = 'cloud_volume'\ncloud = 'c'\n"
-           "size = [16, 16, 16]\n[bake.a]\nasset = '" +
-           std::string(asset) + "'\n" + keys + more;
+           (frames ? "[bake.v_0001]\nframe = 1\n" : "[bake.v]\n") +
+           "asset = 'cloud_volume'\ncloud = 'c'\nsize = [16, 16, 16]\n[bake.a]\nasset = '" +
+           std::string(asset) + "'\n" + keys + (needed == NEEDED_KEYS.end() ? "" : needed->second);
 }
 
 std::string target_key(const TargetFacts& target) {

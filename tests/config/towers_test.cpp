@@ -54,15 +54,6 @@ TEST(TowerList, NumbersStandBeforeNames) {
               "99999999999999999999999:1 100000000000000000000000:2");
 }
 
-TEST(TowerList, SettingsReachOneTower) {
-    const std::string two = tower(listed, 1) + tower(listed, 2);
-    EXPECT_EQ(towers_of(cloud_of(two, {"clouds.c.towers.1.amplitude=5"})), "0:1 1:5");
-    EXPECT_EQ(towers_of(cloud_of(two, {"clouds.c.towers=[]"})), "");
-    EXPECT_EQ(towers_of(cloud_of(two, {"clouds.c.towers=[{center=[0,0], sigma=[1,1], amplitude=7}]",
-                                       "clouds.c.towers.0.amplitude=8"})),
-              "0:8");
-}
-
 // Lists are replaced as arrays are, and names merge as tables do.
 TEST(TowerList, AListReplacesEarlierTowersAndNamesMerge) {
     const TemporaryFolder folder;
@@ -78,21 +69,6 @@ TEST(TowerList, AListReplacesEarlierTowersAndNamesMerge) {
     EXPECT_EQ(towers("clouds.c.towers = []"), "");
     EXPECT_EQ(towers(tower("[clouds.c.towers.x]", 3)), "0:1 1:2 x:3");
     EXPECT_EQ(towers("[clouds.c.towers.1]\namplitude = 3"), "0:1 1:3");
-}
-
-TEST(TowerList, ListsOfPresetsAreReplacedAndReachedAlike) {
-    const std::string thesis = "[noise.shape]\npreset = 'thesis'\n[clouds.c]\npreset = 'thesis'\n";
-    const auto towers = [&](const std::string& over,
-                            const std::vector<std::string>& settings = {}) {
-        const Recipe recipe = testing::valid(thesis + over, settings);
-        return towers_of(recipe.parameters.clouds.at(0));
-    };
-    EXPECT_EQ(towers(""), "0:0.4 1:0.4 2:0.2");
-    EXPECT_EQ(towers("towers.2.amplitude = 1"), "0:0.4 1:0.4 2:1");
-    EXPECT_EQ(towers("", {"clouds.c.towers.0.amplitude=0.5"}), "0:0.5 1:0.4 2:0.2");
-    EXPECT_EQ(towers(tower(listed, 3)), "0:3");
-    EXPECT_EQ(towers(tower(listed, 3), {"clouds.c.towers.0.amplitude=4"}), "0:4")
-        << "a setting does not bring the preset's towers back";
 }
 
 Tower tower(double along, double across, double radians = 0, double correlation = 0) {

@@ -178,10 +178,8 @@ TEST(CertifyVolume, NamesTheWorstPlaceAndAsksInTextureCoordinates) {
     const auto reference = [](const Point& uvw) {
         return std::vector<double>{uvw[0] + uvw[1] * uvw[2], uvw[2], uvw[0]};
     };
-    BakeOptions two_threads;
-    two_threads.threads = 2;
     const VolumeErrors errors =
-        measure_lookups(level, PixelType::half, reference, 500, two_threads);
+        measure_lookups(level, PixelType::half, reference, 500, {.threads = 2});
     double worst = 0;
     for (int c = 0; c < 3; ++c) {
         const auto channel = static_cast<std::size_t>(c);
@@ -190,9 +188,8 @@ TEST(CertifyVolume, NamesTheWorstPlaceAndAsksInTextureCoordinates) {
         worst = std::max(worst, std::fabs(found - reference(errors.worst)[channel]) / range);
     }
     EXPECT_NEAR(errors.figures.max, worst, 1e-12);
-    BakeOptions one_thread;
-    one_thread.threads = 1;
-    const VolumeErrors again = measure_lookups(level, PixelType::half, reference, 500, one_thread);
+    const VolumeErrors again =
+        measure_lookups(level, PixelType::half, reference, 500, {.threads = 1});
     EXPECT_EQ(again.figures.max, errors.figures.max);
     EXPECT_EQ(again.figures.rms, errors.figures.rms);
     EXPECT_EQ(again.worst, errors.worst);

@@ -24,20 +24,30 @@ BakeOptions options_with(std::int64_t held_voxel_bytes) {
     return {.threads = 2, .held_voxel_bytes = held_voxel_bytes};
 }
 
-// Counts how often voxels are made. The lower half is known to be empty.
+// Counts how often the voxels of a function are made. The lowest slices may be known to be empty.
 class CountedVoxels : public VoxelSource {
   public:
+    explicit CountedVoxels(FunctionVoxels::Function function, int empty_slices = 0)
+        : voxels_(std::move(function)), empty_slices_(empty_slices) {}
     void fill(const VoxelBox& box, const std::vector<float*>& channels) const override {
         made += box.count();
-        FunctionVoxels(sample_voxel).fill(box, channels);
+        voxels_.fill(box, channels);
     }
     bool is_empty(const VoxelBox& box) const override {
         ++asked;
-        return box.origin[2] + box.size[2] <= kSize[2] / 2;
+        return box.origin[2] + box.size[2] <= empty_slices_;
     }
     mutable std::atomic<std::int64_t> made = 0;
     mutable std::atomic<int> asked = 0;  // whether a box is empty
+
+  private:
+    FunctionVoxels voxels_;
+    int empty_slices_;
 };
+
+std::shared_ptr<CountedVoxels> half_empty() {
+    return std::make_shared<CountedVoxels>(sample_voxel, kSize[2] / 2);
+}
 
 // Mostly zeros, in pieces of any length, with some voxels that are -0.
 float sparse_voxel(int x, int y, int z, int channel) {
@@ -45,16 +55,6 @@ float sparse_voxel(int x, int y, int z, int channel) {
     if (value > 0.3F) return 0;
     return value < 0.01F ? -0.0F : sample_voxel(x, y, z, channel);
 }
-
-// Counts how often sparse voxels are made.
-class SparseVoxels : public VoxelSource {
-  public:
-    void fill(const VoxelBox& box, const std::vector<float*>& channels) const override {
-        made += box.count();
-        FunctionVoxels(sparse_voxel).fill(box, channels);
-    }
-    mutable std::atomic<std::int64_t> made = 0;
-};
 
 std::vector<std::uint32_t> bits_of(const VoxelSource& source, const VoxelBox& box) {
     std::vector<float> values(static_cast<std::size_t>(box.count()) * kChannels, 7);
@@ -74,11 +74,11 @@ const VoxelBox kBoxes[] = {kWhole,
 
 TEST(HeldVoxels, AreTheVoxelsOfTheirSourceBitForBitWhateverFits) {
     for (const std::int64_t bytes : {std::int64_t{150000}, std::int64_t{1200000}, kBytes}) {
-        const auto source = std::make_shared<SparseVoxels>();
+        const auto source = std::make_shared<CountedVoxels>(sparse_voxel);
         const auto held = held_voxels(source, kSize, kChannels, options_with(bytes));
         for (int pass = 0; pass < 2; ++pass) {
             for (const VoxelBox& box : kBoxes) {
-                EXPECT_EQ(bits_of(*held, box), bits_of(SparseVoxels(), box)) << bytes;
+                EXPECT_EQ(bits_of(*held, box), bits_of(FunctionVoxels(sparse_voxel), box)) << bytes;
             }
         }
         EXPECT_LE(VoxelMemory::total(), bytes);
@@ -87,9 +87,9 @@ TEST(HeldVoxels, AreTheVoxelsOfTheirSourceBitForBitWhateverFits) {
 }
 
 TEST(HeldVoxels, OfHalvesAreRoundedInHalfOfTheMemory) {
-    const auto held =
-        held_voxels(std::make_shared<SparseVoxels>(), kSize, kChannels, options_with(kBytes));
-    const auto halves = held_voxels(std::make_shared<SparseVoxels>(), kSize, kChannels,
+    const auto held = held_voxels(std::make_shared<CountedVoxels>(sparse_voxel), kSize, kChannels,
+                                  options_with(kBytes));
+    const auto halves = held_voxels(std::make_shared<CountedVoxels>(sparse_voxel), kSize, kChannels,
                                     options_with(kBytes), config::PixelType::half);
     const std::int64_t fixed = VoxelMemory::total() / 2;
     bits_of(*held, kWhole);
@@ -108,7 +108,7 @@ TEST(HeldVoxels, OfHalvesAreRoundedInHalfOfTheMemory) {
 }
 
 TEST(HeldVoxels, AreMadeOnceWhereBoxesShareRows) {
-    const auto source = std::make_shared<SparseVoxels>();
+    const auto source = std::make_shared<CountedVoxels>(sparse_voxel);
     const auto held = held_voxels(source, kSize, kChannels, options_with(kBytes));
     bits_of(*held, {{0, 180, 2}, {700, 60, 2}});
     bits_of(*held, {{0, 180, 2}, {700, 120, 3}});
@@ -139,13 +139,11 @@ TEST(HeldVoxels, AreNeverTakenAsEmptyWhereOneIsNot) {
 }
 
 TEST(HeldVoxels, AreMadeOnceAndReadInAnyBox) {
-    const auto source = std::make_shared<CountedVoxels>();
+    const auto source = half_empty();
     const auto held = held_voxels(source, kSize, kChannels, options_with(kBytes));
     ASSERT_NE(held, source);
     for (int pass = 0; pass < 2; ++pass) {
-        for (const VoxelBox& box :
-             {VoxelBox{{}, kSize}, VoxelBox{{699, 299, 4}, {1, 1, 1}},
-              VoxelBox{{3, 2, 1}, {600, 290, 3}}, VoxelBox{{0, 180, 2}, {700, 60, 2}}}) {
+        for (const VoxelBox& box : kBoxes) {
             std::vector<float> wanted(static_cast<std::size_t>(box.count()));
             std::vector<float> found(wanted.size());
             FunctionVoxels(sample_voxel).fill(box, {nullptr, wanted.data()});
@@ -157,15 +155,14 @@ TEST(HeldVoxels, AreMadeOnceAndReadInAnyBox) {
 }
 
 TEST(HeldVoxels, KnowWhichBoxesAreEmpty) {
-    const auto held =
-        held_voxels(std::make_shared<CountedVoxels>(), kSize, kChannels, options_with(kBytes));
+    const auto held = held_voxels(half_empty(), kSize, kChannels, options_with(kBytes));
     EXPECT_TRUE(held->is_empty({{}, {700, 300, 2}}));
     EXPECT_FALSE(held->is_empty({{}, {700, 300, 3}}));
 }
 
 // To answer may cost a source more than to make the voxels.
 TEST(HeldVoxels, AskTheirSourceOnlyOfRowsThatAreNotHeld) {
-    const auto source = std::make_shared<CountedVoxels>();
+    const auto source = half_empty();
     const auto held = held_voxels(source, kSize, kChannels, options_with(kBytes));
     const VoxelBox upper{{0, 0, 3}, {700, 300, 2}};
     held->is_empty(upper);
@@ -179,7 +176,7 @@ TEST(HeldVoxels, AskTheirSourceOnlyOfRowsThatAreNotHeld) {
 }
 
 TEST(HeldVoxels, AreMadeOnDemandWhereTheyDoNotFit) {
-    const auto source = std::make_shared<CountedVoxels>();
+    const auto source = half_empty();
     EXPECT_EQ(held_voxels(source, kSize, kChannels, options_with(1000)), source);
     EXPECT_EQ(source->made, 0);
     EXPECT_EQ(VoxelMemory::total(), 0);
@@ -198,7 +195,7 @@ TEST(HeldVoxels, CountTogetherUntilTheyAreReleased) {
 }
 
 TEST(HeldVoxels, AreNotHeldWhereNothingMayBe) {
-    const auto source = std::make_shared<CountedVoxels>();
+    const auto source = half_empty();
     EXPECT_EQ(held_voxels(source, {1, 1, 1}, 1, options_with(0)), source);
 }
 

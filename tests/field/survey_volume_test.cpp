@@ -33,11 +33,10 @@ Level by_hand(const Baked& volume, const Ranges& ranges) {
         result.statistics[c].max = -std::numeric_limits<double>::infinity();
         result.statistics[c].histogram.assign(kHistogramBins, 0);
     }
-    testing::for_each_voxel(level.size, [&](int x, int y, int z) {
-        std::vector<float> voxel(channels);
-        std::vector<float*> out;
-        for (float& value : voxel) out.push_back(&value);
-        level.voxels->fill({{x, y, z}, {1, 1, 1}}, out);
+    const auto planes = testing::planes_of(*level.voxels, {{}, level.size}, channels);
+    for (std::size_t i = 0; i < planes[0].size(); ++i) {
+        std::vector<float> voxel;
+        for (const std::vector<float>& plane : planes) voxel.push_back(plane[i]);
         for (std::size_t c = 0; c < channels; ++c) {
             const double value = round_to_pixel_type(voxel[c], volume.pixel_type);
             ValueStatistics& statistics = result.statistics[c];
@@ -54,7 +53,7 @@ Level by_hand(const Baked& volume, const Ranges& ranges) {
                           '\0');
         store_values(voxel.data(), channels, volume.pixel_type, piece.data());
         bytes += piece;
-    });
+    }
     for (ValueStatistics& statistics : result.statistics) {
         statistics.mean /= static_cast<double>(VoxelBox{{}, level.size}.count());
     }

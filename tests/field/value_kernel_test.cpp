@@ -10,34 +10,18 @@
 #include <cmath>
 #include <vector>
 
+#include "tests/field/hard_floats.h"
 #include "tests/support/every_target.h"
 
 namespace skybake {
 namespace {
 
-float float_of(std::uint32_t bits) { return std::bit_cast<float>(bits); }
-
-// Floats at, beside and between halves, of every sign and exponent, without NaN.
-std::vector<float> hard_floats() {
-    std::vector<float> values;
-    for (std::uint32_t upper = 0; upper < 1U << 19; upper += 7) {
-        for (const std::uint32_t lower : {0x0U, 0x1U, 0xfffU, 0x1000U, 0x1001U, 0x1fffU}) {
-            const float value = float_of(upper << 13 | lower);
-            if (!std::isnan(value)) values.push_back(value);
-        }
-    }
-    for (std::uint32_t i = 0; i <= 2 * 1024; ++i) {
-        const auto middle = std::bit_cast<std::uint32_t>(static_cast<float>(i) * 0x1p-25F);
-        for (const std::uint32_t bits : {middle == 0 ? 0 : middle - 1, middle, middle + 1}) {
-            values.push_back(float_of(bits));
-            values.push_back(float_of(bits | 0x80000000U));
-        }
-    }
-    return values;
-}
-
 TEST(ValueKernel, ConvertsToHalvesAndBackAsImath) {
-    const std::vector<float> values = hard_floats();
+    std::vector<float> values;
+    testing::for_each_hard_float(7, [&](std::uint32_t bits) {
+        const auto value = std::bit_cast<float>(bits);
+        if (!std::isnan(value)) values.push_back(value);
+    });
     test::on_every_target([&](const char*) {
         std::vector<std::uint16_t> halves(values.size());
         halves_of_floats(values.data(), values.size(), halves.data());

@@ -31,22 +31,28 @@ std::map<std::string, fs::file_time_type> time_stamps(const fs::path& folder) {
     return result;
 }
 
-TEST(BakeFolder, MakesEverythingOnceAndNothingTwice) {
+class BakeFolder : public ::testing::Test {
+  protected:
+    // A bake of the small recipe with these settings.
+    TestBake with(const std::vector<std::string>& settings, const std::string& name = "out") const {
+        return TestBake(recipe_of(small_recipe, {}, settings), folder / name);
+    }
+
     const TemporaryFolder folder;
-    TestBake bake(recipe_of(small_recipe), folder / "out");
+    TestBake bake{recipe_of(small_recipe), folder / "out"};
+};
+
+TEST_F(BakeFolder, MakesEverythingOnceAndNothingTwice) {
     EXPECT_EQ(bake.states(), (States{baked, baked, baked}));
     const auto before = time_stamps(folder / "out");
     EXPECT_EQ(bake.states(), (States{up_to_date, up_to_date, up_to_date}));
     EXPECT_EQ(time_stamps(folder / "out"), before);  // the manifest's, too
 }
 
-TEST(BakeFolder, MakesJustWhatDependsOnAChange) {
-    const TemporaryFolder folder;
-    TestBake first(recipe_of(small_recipe), folder / "out");
-    EXPECT_TRUE(first.run().value);
+TEST_F(BakeFolder, MakesJustWhatDependsOnAChange) {
+    EXPECT_TRUE(bake.run().value);
     const auto before = time_stamps(folder / "out");
-    TestBake second(recipe_of(small_recipe, {}, {"atmosphere.ground_albedo=0.125"}),
-                    folder / "out");
+    TestBake second = with({"atmosphere.ground_albedo=0.125"});
     EXPECT_EQ(second.states(), (States{up_to_date, baked, up_to_date}));
     ASSERT_EQ(second.observer.reasons.size(), 3U);
     EXPECT_TRUE(second.observer.reasons[0].empty());
@@ -59,7 +65,7 @@ TEST(BakeFolder, MakesJustWhatDependsOnAChange) {
 }
 
 // Smoke, whose colours four wavelengths do not tell. All assets have the same, which is said once.
-TEST(BakeFolder, WhatAssetsShareIsSaidOnce) {
+TEST(BakeFolders, WhatAssetsShareIsSaidOnce) {
     const TemporaryFolder folder;
     const std::string sky = "asset = 'environment'\nsize = [4, 2]\nsun_elevation = '20 deg'\n";
     TestBake bake(recipe_of("preset = 'earth'\n[atmosphere.layers.aerosol]\noptical_depth = 0.6\n"
@@ -79,9 +85,7 @@ TEST(BakeFolder, WhatAssetsShareIsSaidOnce) {
     }
 }
 
-TEST(BakeFolder, ADamagedMissingOrForeignFileIsMadeAgain) {
-    const TemporaryFolder folder;
-    TestBake bake(recipe_of(small_recipe), folder / "out");
+TEST_F(BakeFolder, ADamagedMissingOrForeignFileIsMadeAgain) {
     EXPECT_TRUE(bake.run().value);
     const fs::path table = folder / "out/transmittance.exr";
     const std::string whole = read_bytes(table);
@@ -105,10 +109,9 @@ void link_outputs(const fs::path& folder, const fs::path& far) {
     }
 }
 
-TEST(BakeFolder, LinksAreReplacedAndNotFollowed) {
-    const TemporaryFolder folder;
+TEST_F(BakeFolder, LinksAreReplacedAndNotFollowed) {
     AssetCache cache(folder / "cache");
-    EXPECT_TRUE(TestBake(recipe_of(small_recipe), folder / "out").run().value);
+    EXPECT_TRUE(bake.run().value);
     link_outputs(folder / "out", folder / "far");
     std::map<std::string, std::string> before;
     for (const auto& file : fs::directory_iterator(folder / "far")) {
@@ -116,7 +119,7 @@ TEST(BakeFolder, LinksAreReplacedAndNotFollowed) {
     }
     const std::vector<std::string> other = {"atmosphere.layers.mie.scale_height=1 km",
                                             "noise.shape.seed=9"};
-    TestBake changed(recipe_of(small_recipe, {}, other), folder / "out");
+    TestBake changed = with(other);
     changed.bake.sources = {&cache};
     EXPECT_EQ(changed.states(), (States{baked, baked, baked}));
     for (const auto& [name, bytes] : before) {
@@ -126,9 +129,9 @@ TEST(BakeFolder, LinksAreReplacedAndNotFollowed) {
     }
 
     // Nor by copies from a cache.
-    EXPECT_TRUE(TestBake(recipe_of(small_recipe), folder / "second").run().value);
+    EXPECT_TRUE(with({}, "second").run().value);
     link_outputs(folder / "second", folder / "further");
-    TestBake copied_there(recipe_of(small_recipe, {}, other), folder / "second");
+    TestBake copied_there = with(other, "second");
     copied_there.bake.sources = {&cache};
     EXPECT_EQ(copied_there.states(), (States{copied, copied, copied}));
     for (const auto& [name, bytes] : before) {
@@ -139,13 +142,11 @@ TEST(BakeFolder, LinksAreReplacedAndNotFollowed) {
 }
 
 // Without a manifest that claims them, by --force alone.
-TEST(BakeFolder, ForceReplacesLinksAndNotTheirTargets) {
-    const TemporaryFolder folder;
+TEST_F(BakeFolder, ForceReplacesLinksAndNotTheirTargets) {
     write_bytes(folder / "far", "of somebody else");
     fs::create_directory(folder / "out");
     const std::vector<std::string> names = {"transmittance.exr", "shape.bin", "manifest.json"};
     for (const std::string& name : names) fs::create_symlink("../far", folder / "out" / name);
-    TestBake bake(recipe_of(small_recipe), folder / "out");
     EXPECT_EQ(first_code(bake.run().diagnostics), "E0303");
     bake.bake.force = true;
     EXPECT_EQ(bake.states(), (States{baked, baked, baked}));
@@ -157,7 +158,7 @@ TEST(BakeFolder, ForceReplacesLinksAndNotTheirTargets) {
 
 // A bake that was killed before its manifest got its name leaves a journal. It is believed of files that
 // are as it says, up to where it ends, and of no others.
-TEST(BakeFolder, AJournalTellsWhatAKilledBakeHadNamed) {
+TEST(BakeFolders, AJournalTellsWhatAKilledBakeHadNamed) {
     const TemporaryFolder folder;
     TestBake bake(recipe_of(small_recipe), folder.path());
     ASSERT_TRUE(bake.run().value);
@@ -194,7 +195,7 @@ TEST(BakeFolder, AJournalTellsWhatAKilledBakeHadNamed) {
 }
 
 // Another recipe finds the files that a killed bake has named, and may prune them.
-TEST(BakeFolder, AJournalsFilesAreRetired) {
+TEST(BakeFolders, AJournalsFilesAreRetired) {
     const TemporaryFolder folder;
     TestBake bake(recipe_of(small_recipe), folder.path());
     ASSERT_TRUE(bake.run().value);
@@ -206,9 +207,7 @@ TEST(BakeFolder, AJournalsFilesAreRetired) {
     EXPECT_EQ(folder.names(), (std::vector<std::string>{"manifest.json", "transmittance.exr"}));
 }
 
-TEST(BakeFolder, LeftOversGoWhereNothingIsStale) {
-    const TemporaryFolder folder;
-    TestBake bake(recipe_of(small_recipe), folder / "out");
+TEST_F(BakeFolder, LeftOversGoWhereNothingIsStale) {
     EXPECT_TRUE(bake.run().value);
     const auto before = time_stamps(folder / "out");
     write_bytes(folder / "out/.transmittance.exr.skybake-1-0.tmp", "half");
@@ -217,22 +216,19 @@ TEST(BakeFolder, LeftOversGoWhereNothingIsStale) {
     EXPECT_EQ(time_stamps(folder / "out"), before);
 }
 
-TEST(BakeFolder, IncrementalAndCleanBakesEndWithTheSameFiles) {
-    const TemporaryFolder folder;
+TEST_F(BakeFolder, IncrementalAndCleanBakesEndWithTheSameFiles) {
     const std::vector<std::string> settings = {"atmosphere.ground_albedo=0.7",
                                                "noise.shape.seed=9"};
-    EXPECT_TRUE(TestBake(recipe_of(small_recipe), folder / "grown").run().value);
-    EXPECT_TRUE(TestBake(recipe_of(small_recipe, {}, settings), folder / "grown").run().value);
-    EXPECT_TRUE(TestBake(recipe_of(small_recipe, {}, settings), folder / "clean").run().value);
+    EXPECT_TRUE(with({}, "grown").run().value);
+    EXPECT_TRUE(with(settings, "grown").run().value);
+    EXPECT_TRUE(with(settings, "clean").run().value);
     for (const char* file :
          {"transmittance.exr", "multiple_scattering.exr", "shape.exr", "shape.bin"}) {
         EXPECT_EQ(read_bytes(folder / "grown" / file), read_bytes(folder / "clean" / file)) << file;
     }
 }
 
-TEST(BakeFolder, AnotherCertificationIsAnotherAsset) {
-    const TemporaryFolder folder;
-    TestBake bake(recipe_of(small_recipe), folder / "out");
+TEST_F(BakeFolder, AnotherCertificationIsAnotherAsset) {
     EXPECT_TRUE(bake.run().value);
     bake.bake.certification = Certification::off;
     EXPECT_EQ(bake.states(), (States{baked, baked, baked}));
@@ -244,14 +240,12 @@ const std::vector<std::string> failing = {"noise.shape.channels.Y.type=constant"
                                           "noise.shape.channels.Y.value=2",
                                           "bake.shape.pixel_type=unorm8", "bake.shape.formats=bin"};
 
-TEST(BakeFolder, AFailureLeavesOutItsAssetAlone) {
-    const TemporaryFolder folder;
-    TestBake good(recipe_of(small_recipe), folder / "out");
-    EXPECT_TRUE(good.run().value);
+TEST_F(BakeFolder, AFailureLeavesOutItsAssetAlone) {
+    EXPECT_TRUE(bake.run().value);
     const auto before = time_stamps(folder / "out");
     std::vector<std::string> settings = failing;
     settings.push_back("atmosphere.ground_albedo=0.1");
-    TestBake bad(recipe_of(small_recipe, {}, settings), folder / "out");
+    TestBake bad = with(settings);
     bad.bake.prune = true;
     const auto outcome = bad.run();
     ASSERT_FALSE(outcome.diagnostics.empty());
@@ -267,12 +261,11 @@ TEST(BakeFolder, AFailureLeavesOutItsAssetAlone) {
         EXPECT_EQ(after.at(file), before.at(file)) << file;
     }
     EXPECT_NE(after.at("multiple_scattering.exr"), before.at("multiple_scattering.exr"));
-    TestBake again(recipe_of(small_recipe, {}, {"atmosphere.ground_albedo=0.1"}), folder / "out");
+    TestBake again = with({"atmosphere.ground_albedo=0.1"});
     EXPECT_EQ(again.states(), (States{up_to_date, up_to_date, up_to_date}));
 }
 
-TEST(BakeFolder, WithoutAnyAssetTheFolderStaysAsItWas) {
-    const TemporaryFolder folder;
+TEST_F(BakeFolder, WithoutAnyAssetTheFolderStaysAsItWas) {
     const auto only_shape = [&](const std::vector<std::string>& settings) {
         auto bake =
             std::make_unique<TestBake>(recipe_of(small_recipe, {}, settings), folder / "new/deep");
@@ -287,10 +280,9 @@ TEST(BakeFolder, WithoutAnyAssetTheFolderStaysAsItWas) {
     EXPECT_EQ(time_stamps(folder / "new/deep"), before);
 }
 
-TEST(BakeFolder, AnInterruptionLeavesTheFolderAsItWas) {
+TEST_F(BakeFolder, AnInterruptionLeavesTheFolderAsItWas) {
     for (const char* asset : {"transmittance", "multiple_scattering", "shape", "manifest.json"}) {
-        const TemporaryFolder folder;
-        TestBake bake(recipe_of(small_recipe), folder / "out");
+        bake.observer = RememberingObserver();
         bake.observer.cancel_at = asset;
         const auto outcome = bake_folder(bake.bake, bake.observer);
         EXPECT_FALSE(outcome.value.has_value()) << asset;
@@ -299,21 +291,18 @@ TEST(BakeFolder, AnInterruptionLeavesTheFolderAsItWas) {
     }
 }
 
-TEST(BakeFolder, WhatARecipeNoLongerAsksForStaysAndMayComeBack) {
-    const TemporaryFolder folder;
-    EXPECT_TRUE(TestBake(recipe_of(small_recipe), folder / "out").run().value);
-    TestBake less(recipe_of(small_recipe, {}, {"bake.shape.formats=exr"}), folder / "out");
+TEST_F(BakeFolder, WhatARecipeNoLongerAsksForStaysAndMayComeBack) {
+    EXPECT_TRUE(bake.run().value);
+    TestBake less = with({"bake.shape.formats=exr"});
     const auto first = test::without_errors(less.run());
     ASSERT_EQ(first.retired.size(), 1U);
     EXPECT_EQ(first.retired[0].path, "shape.bin");
     EXPECT_TRUE(fs::exists(folder / "out/shape.bin"));
     EXPECT_EQ(less.run().value->manifest, WriteResult::unchanged);
-    const auto back = TestBake(recipe_of(small_recipe), folder / "out").run();
+    const auto back = bake.run();
     ASSERT_TRUE(back.value.has_value());  // no file of somebody else's
     EXPECT_TRUE(back.value->retired.empty());
-    EXPECT_TRUE(TestBake(recipe_of(small_recipe, {}, {"bake.shape.formats=exr"}), folder / "out")
-                    .run()
-                    .value);
+    EXPECT_TRUE(less.run().value);
     fs::remove(folder / "out/shape.bin");
     EXPECT_TRUE(less.run().value->retired.empty());
 }
@@ -339,11 +328,9 @@ size = [8, 8, 8]
 formats = ["exr", "bin"]
 )";
 
-struct WithoutNoise {
-    TemporaryFolder folder;
-    TestBake less{recipe_of(two_tables), folder / "out"};
-
-    WithoutNoise() {
+class Pruning : public ::testing::Test {
+  protected:
+    Pruning() {
         less.bake.certification = Certification::off;
         less.bake.prune = true;
         TestBake all(recipe_of(two_tables + and_a_noise), folder / "out");
@@ -353,6 +340,9 @@ struct WithoutNoise {
     bool has(const char* name) const {
         return fs::exists(fs::symlink_status(folder / "out" / name));
     }
+
+    const TemporaryFolder folder;
+    TestBake less{recipe_of(two_tables), folder / "out"};
 };
 
 std::vector<std::string> paths_of(const std::vector<RetiredFile>& files) {
@@ -361,66 +351,62 @@ std::vector<std::string> paths_of(const std::vector<RetiredFile>& files) {
     return paths;
 }
 
-TEST(BakeFolder, PruningRemovesRetiredFiles) {
-    WithoutNoise scene;
-    const auto plan = plan_folder(scene.less.bake);
+TEST_F(Pruning, RemovesRetiredFiles) {
+    const auto plan = plan_folder(less.bake);
     ASSERT_TRUE(plan.value.has_value());
     EXPECT_EQ(paths_of(plan.value->pruned), (std::vector<std::string>{"shape.exr", "shape.bin"}));
-    EXPECT_TRUE(scene.has("shape.exr"));  // a plan changes nothing
-    const auto outcome = test::without_errors(scene.less.run());
+    EXPECT_TRUE(has("shape.exr"));  // a plan changes nothing
+    const auto outcome = test::without_errors(less.run());
     EXPECT_EQ(paths_of(outcome.pruned), (std::vector<std::string>{"shape.exr", "shape.bin"}));
     EXPECT_TRUE(outcome.retired.empty());
-    EXPECT_FALSE(scene.has("shape.exr") || scene.has("shape.bin"));
-    EXPECT_TRUE(scene.has("transmittance.exr"));
-    EXPECT_TRUE(read_manifest(scene.folder / "out").value->retired.empty());
+    EXPECT_FALSE(has("shape.exr") || has("shape.bin"));
+    EXPECT_TRUE(has("transmittance.exr"));
+    EXPECT_TRUE(read_manifest(folder / "out").value->retired.empty());
 }
 
-TEST(BakeFolder, PruningKeepsWhatWasChangedByHand) {
-    WithoutNoise scene;
-    write_bytes(scene.folder / "out/shape.bin", "painted over");
-    const std::string elsewhere = (scene.folder / "elsewhere.exr").string();
-    fs::rename(scene.folder / "out/shape.exr", elsewhere);
-    fs::create_symlink(elsewhere, scene.folder / "out/shape.exr");
-    write_bytes(scene.folder / "out/mine.bin", "mine");
-    const auto outcome = test::without_errors(scene.less.run());
+TEST_F(Pruning, KeepsWhatWasChangedByHand) {
+    write_bytes(folder / "out/shape.bin", "painted over");
+    const std::string elsewhere = (folder / "elsewhere.exr").string();
+    fs::rename(folder / "out/shape.exr", elsewhere);
+    fs::create_symlink(elsewhere, folder / "out/shape.exr");
+    write_bytes(folder / "out/mine.bin", "mine");
+    const auto outcome = test::without_errors(less.run());
     EXPECT_TRUE(outcome.pruned.empty());
     EXPECT_EQ(paths_of(outcome.retired), (std::vector<std::string>{"shape.exr", "shape.bin"}));
-    EXPECT_TRUE(scene.has("shape.exr") && scene.has("shape.bin") && scene.has("mine.bin"));
+    EXPECT_TRUE(has("shape.exr") && has("shape.bin") && has("mine.bin"));
     EXPECT_TRUE(fs::exists(elsewhere));
 }
 
 // A bake of a part keeps the entries that it does not name, whether the recipe has them or not.
-TEST(BakeFolder, PruningAPartRemovesNothingElse) {
-    WithoutNoise scene;
-    scene.less.bake.bakes = {scene.less.recipe.parameters.bakes[0]};
-    const auto outcome = test::without_errors(scene.less.run());
+TEST_F(Pruning, APartRemovesNothingElse) {
+    less.bake.bakes = {less.recipe.parameters.bakes[0]};
+    const auto outcome = test::without_errors(less.run());
     EXPECT_TRUE(outcome.pruned.empty());
-    EXPECT_TRUE(scene.has("shape.exr") && scene.has("depth.exr"));
+    EXPECT_TRUE(has("shape.exr") && has("depth.exr"));
 }
 
 // A bake leaves plain files alone: a manifest that names one in a folder was altered.
-TEST(BakeFolder, PruningStaysInTheFolder) {
-    WithoutNoise scene;
-    std::string manifest = read_bytes(scene.folder / "out/manifest.json");
-    fs::create_directory(scene.folder / "out/deeper");
-    fs::rename(scene.folder / "out/shape.bin", scene.folder / "out/deeper/shape.bin");
+TEST_F(Pruning, StaysInTheFolder) {
+    std::string manifest = read_bytes(folder / "out/manifest.json");
+    fs::create_directory(folder / "out/deeper");
+    fs::rename(folder / "out/shape.bin", folder / "out/deeper/shape.bin");
     const std::size_t at = manifest.find("\"shape.bin\"");
     ASSERT_NE(at, std::string::npos);
     manifest.replace(at, 11, "\"deeper/shape.bin\"");
-    write_bytes(scene.folder / "out/manifest.json", manifest);
-    const auto outcome = scene.less.run();
+    write_bytes(folder / "out/manifest.json", manifest);
+    const auto outcome = less.run();
     ASSERT_TRUE(outcome.value.has_value());
-    EXPECT_TRUE(scene.has("deeper/shape.bin"));
+    EXPECT_TRUE(has("deeper/shape.bin"));
 }
 
 // Time is booked where it is spent, none of it twice, and none on a certificate that is not made.
-TEST(BakeFolder, BooksTheTimeOfEachPart) {
+TEST(BakeFolders, BooksTheTimeOfEachPart) {
+    const TemporaryFolder folder;
     const std::string sky =
         "wavelengths = 'best 3'\n[bake.psi]\nasset = 'multiple_scattering'\nmethod = 'solved'\n"
         "size = [8, 8]\n[bake.view]\nasset = 'sky_view'\nsun_elevations = ['5 deg']\n"
         "size = [8, 8]\n"
         "[bake.sun]\nasset = 'transmittance'\nsize = [8, 8]\n";
-    const TemporaryFolder folder;
     TestBake bake(recipe_of("preset = 'earth'\n" + sky), folder / "out");
     bake.bake.certification = Certification::off;
     const auto started = std::chrono::steady_clock::now();
@@ -442,9 +428,7 @@ TEST(BakeFolder, BooksTheTimeOfEachPart) {
     EXPECT_EQ(spent(2).colors, 0) << "and has no colours";
 }
 
-TEST(BakeFolder, BooksCertificatesApart) {
-    const TemporaryFolder folder;
-    TestBake bake(recipe_of(two_tables), folder / "out");
+TEST_F(BakeFolder, BooksCertificatesApart) {
     const auto outcome = test::without_errors(bake.run());
     for (const FinishedAsset& asset : outcome.assets) {
         EXPECT_GT(asset.entry.timing.bake.certificate, 0);
@@ -452,14 +436,12 @@ TEST(BakeFolder, BooksCertificatesApart) {
     }
 }
 
-TEST(BakeFolder, APartialBakeKeepsTheOtherEntries) {
-    const TemporaryFolder folder;
-    TestBake bake(recipe_of(small_recipe), folder / "out");
+TEST_F(BakeFolder, APartialBakeKeepsTheOtherEntries) {
     EXPECT_TRUE(bake.run().value);
     bake.bake.bakes = {bake.recipe.parameters.bakes[1]};
     EXPECT_EQ(bake.states(), (States{up_to_date}));
     EXPECT_EQ(read_manifest(folder / "out").value->assets.size(), 3U);
-    TestBake other(recipe_of(small_recipe, {}, {"atmosphere.ground_albedo=0.1"}), folder / "out");
+    TestBake other = with({"atmosphere.ground_albedo=0.1"});
     other.bake.bakes = {other.recipe.parameters.bakes[0]};
     const auto mixed = other.run();
     ASSERT_TRUE(mixed.value.has_value());
@@ -468,7 +450,7 @@ TEST(BakeFolder, APartialBakeKeepsTheOtherEntries) {
     EXPECT_NE(mixed.diagnostics[0].message.find("ground_albedo"), std::string::npos);
 }
 
-TEST(BakeFolder, APictureThatChangesDuringTheBakeIsNoticed) {
+TEST(BakeFolders, APictureThatChangesDuringTheBakeIsNoticed) {
     const TemporaryFolder folder;
     const auto picture = [](const char* name) {
         return read_bytes(fs::path(SKYBAKE_TEST_DATA) / "maps" / name);
@@ -503,9 +485,7 @@ TEST(BakeFolder, APictureThatChangesDuringTheBakeIsNoticed) {
     EXPECT_EQ(bake.states(), (States{up_to_date, baked}));
 }
 
-TEST(BakeFolder, RefusesWhatNeedsMoreMemoryThanAllowed) {
-    const TemporaryFolder folder;
-    TestBake bake(recipe_of(small_recipe), folder / "out");
+TEST_F(BakeFolder, RefusesWhatNeedsMoreMemoryThanAllowed) {
     bake.bake.memory_limit_mib = 0.001;
     const auto outcome = bake.run();
     ASSERT_FALSE(outcome.value.has_value());
@@ -518,24 +498,23 @@ TEST(BakeFolder, RefusesWhatNeedsMoreMemoryThanAllowed) {
     EXPECT_TRUE(bake.run().value.has_value());
 }
 
-TEST(BakeFolder, TakesWhatACacheHasAndBakesWhatIsDamagedThere) {
-    const TemporaryFolder folder;
+TEST_F(BakeFolder, TakesWhatACacheHasAndBakesWhatIsDamagedThere) {
     AssetCache cache(folder / "cache");
-    TestBake first(recipe_of(small_recipe), folder / "first");
+    TestBake first = with({}, "first");
     first.bake.sources = {&cache};
     EXPECT_EQ(first.states(), (States{baked, baked, baked}));
-    TestBake second(recipe_of(small_recipe), folder / "second");
+    TestBake second = with({}, "second");
     second.bake.sources = {&cache};
     EXPECT_EQ(second.states(), (States{copied, copied, copied}));
     for (const auto& entry : fs::recursive_directory_iterator(folder / "cache")) {
         if (entry.path().filename() == "shape.exr") write_bytes(entry.path(), "damaged");
     }
-    TestBake third(recipe_of(small_recipe), folder / "third");
+    TestBake third = with({}, "third");
     third.bake.sources = {&cache};
     EXPECT_EQ(third.states(), (States{copied, copied, baked}));
     EXPECT_EQ(read_bytes(folder / "third/shape.exr"), read_bytes(folder / "first/shape.exr"));
     // The whole one has taken the place of the damaged one.
-    TestBake fourth(recipe_of(small_recipe), folder / "fourth");
+    TestBake fourth = with({}, "fourth");
     fourth.bake.sources = {&cache};
     EXPECT_EQ(fourth.states(), (States{copied, copied, copied}));
     // A folder that others have filled is offered to a cache as well.
@@ -552,7 +531,7 @@ class WaitingObserver : public testing::RememberingObserver {
     std::promise<void> told;
 };
 
-TEST(BakeFolder, WaitsForAnotherOneInTheFolder) {
+TEST(BakeFolders, WaitsForAnotherOneInTheFolder) {
     const TemporaryFolder folder;
     auto lock = FolderLock::acquire(
         folder.path(), [] {}, [] { return false; });

@@ -22,19 +22,13 @@ namespace {
 namespace fs = std::filesystem;
 using Names = std::vector<std::string>;
 
-TEST(AtomicFile, WritesANewFile) {
+TEST(AtomicFile, WritesANewFileAndReplacesAnOldOne) {
     const TemporaryFolder folder;
-    const auto result = write_file_atomically(folder / "a.txt", "hello");
-    EXPECT_EQ(result.value, WriteResult::written);
-    EXPECT_EQ(read_bytes(folder / "a.txt"), "hello");
-    EXPECT_EQ(folder.names(), Names{"a.txt"});
-}
-
-TEST(AtomicFile, ReplacesAnOldFile) {
-    const TemporaryFolder folder;
-    write_bytes(folder / "a.txt", "a longer text than the new one");
-    EXPECT_EQ(write_file_atomically(folder / "a.txt", "short").value, WriteResult::written);
-    EXPECT_EQ(read_bytes(folder / "a.txt"), "short");
+    for (const char* text : {"a longer text than the new one", "short"}) {
+        EXPECT_EQ(write_file_atomically(folder / "a.txt", text).value, WriteResult::written);
+        EXPECT_EQ(read_bytes(folder / "a.txt"), text);
+        EXPECT_EQ(folder.names(), Names{"a.txt"});
+    }
 }
 
 TEST(AtomicFile, LeavesEqualBytesAndTheirTimeStampAlone) {

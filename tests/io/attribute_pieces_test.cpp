@@ -2,13 +2,12 @@
 
 #include <rapidcheck.h>
 
-#include <cstring>
 #include <set>
 
 #include "bakers/io/formats/exr/exr_file.h"
 #include "bakers/io/manifest/metadata.h"
 #include "config/text/text.h"
-#include "tests/io/files.h"
+#include "tests/io/exr_bytes.h"
 
 namespace skybake {
 namespace {
@@ -97,37 +96,13 @@ TEST(AttributePieces, WhatIsNotOursOrNotCompleteKeepsItsName) {
 
 // --- In files, whose headers are read here byte by byte -----------------------------------------
 
-struct FileAttribute {
-    std::string name;
-    std::string type;
-    std::string value;
-};
-
-std::vector<FileAttribute> attributes_in(const std::string& file) {
-    std::vector<FileAttribute> attributes;
-    for (std::size_t at = 8; at < file.size() && file[at] != 0;) {
-        FileAttribute attribute;
-        attribute.name = file.c_str() + at;
-        at += attribute.name.size() + 1;
-        attribute.type = file.c_str() + at;
-        at += attribute.type.size() + 1;
-        std::int32_t size = 0;
-        std::memcpy(&size, file.data() + at, 4);
-        attribute.value = file.substr(at + 4, static_cast<std::size_t>(size));
-        at += 4 + static_cast<std::size_t>(size);
-        attributes.push_back(std::move(attribute));
-    }
-    return attributes;
-}
-
 // How many texts there are in pieces.
 int expect_short(const std::string& file) {
     int split = 0;
-    for (const FileAttribute& attribute : attributes_in(file)) {
-        EXPECT_LT(attribute.value.size(), 250u) << attribute.name;
+    for (const testing::ExrAttribute& attribute : testing::exr_attributes(file)) {
+        EXPECT_LT(attribute.size, 250u) << attribute.name;
         EXPECT_LE(attribute.name.size(), 31u) << attribute.name;
-        split +=
-            attribute.name.size() > 2 && attribute.name.substr(attribute.name.size() - 2) == ".0";
+        split += attribute.name.ends_with(".0") ? 1 : 0;
     }
     return split;
 }

@@ -119,39 +119,26 @@ inline Image2<float> sample_image(int width, int height, int channels) {
     return image;
 }
 
-inline std::vector<Probe> sample_probes(const Image2<float>& image) {
+// Lookups about a whole table or tile, many of them across its seams; `names` are those of coordinates.
+inline std::vector<Probe> sample_probes(const Level& level, std::size_t channels,
+                                        config::PixelType type,
+                                        const std::vector<std::string>& names) {
+    const bool is_tile = names.size() == 3;
     std::vector<Probe> probes;
     for (int i = 0; i < 16; ++i) {
         Probe probe;
-        probe.at = {{"altitude_km", i * 6.25}, {"cos_zenith", 1 - i / 7.5}};
-        probe.uvw = {i / 15.0, 1 - i / 15.0, 0.5};
-        probe.value.resize(static_cast<std::size_t>(image.channels));
-        bilinear(image, probe.uvw[0], probe.uvw[1], probe.value.data());
-        probe.tolerance.assign(probe.value.size(), 1e-9);
-        probes.push_back(probe);
-    }
-    return probes;
-}
-
-// Lookups about the whole tile, many of them across its seams.
-inline std::vector<Probe> sample_volume_probes(const Level& level, std::size_t channels,
-                                               config::PixelType type) {
-    std::vector<Probe> probes;
-    for (int i = 0; i < 16; ++i) {
-        Probe probe;
-        probe.uvw = {i / 16.0, 1 - i * 0.0625, (i * 5 % 16) / 15.0};
-        probe.at = {{"x_tile", probe.uvw[0]}, {"y_tile", probe.uvw[1]}, {"z_tile", probe.uvw[2]}};
+        probe.uvw = {i / 16.0, 1 - i * 0.0625, is_tile ? (i * 5 % 16) / 15.0 : 0.5};
+        for (std::size_t a = 0; a < names.size(); ++a)
+            probe.at.emplace_back(names[a], probe.uvw[a]);
         probe.value.assign(channels, 0.0);
         probe.tolerance.assign(channels, 1e-9);
         // One probe blends two lookups, as of two sub-images.
-        if (i == 3) probe.blend = BlendedLookup{probe.uvw, 0.25};
-        for (const VoxelTap& tap : trilinear_taps(level.size, probe.uvw)) {
-            std::vector<float> voxel(channels);
-            std::vector<float*> out;
-            for (float& value : voxel) out.push_back(&value);
-            level.voxels->fill({tap.voxel, {1, 1, 1}}, out);
+        if (i == 3 && is_tile) probe.blend = BlendedLookup{probe.uvw, 0.25};
+        for (const VoxelTap& tap :
+             trilinear_taps(level.size, probe.uvw, {is_tile, is_tile, is_tile})) {
+            const auto voxel = planes_of(*level.voxels, {tap.voxel, {1, 1, 1}}, channels);
             for (std::size_t c = 0; c < channels; ++c) {
-                probe.value[c] += tap.weight * double{round_to_pixel_type(voxel[c], type)};
+                probe.value[c] += tap.weight * double{round_to_pixel_type(voxel[c][0], type)};
             }
         }
         probes.push_back(std::move(probe));
@@ -164,7 +151,8 @@ inline void set_sample_image(const Image2<float>& image, Baked& table) {
     set_image(image, table);
     const std::vector<std::array<double, 2>> ranges(table.channel_names.size(), {0.0, 1.0});
     EXPECT_TRUE(survey_level(table, 0, ranges, {2}).empty());
-    table.levels[0].probes = sample_probes(table.image());
+    table.levels[0].probes = sample_probes(table.levels[0], table.channel_names.size(),
+                                           table.pixel_type, {"cos_zenith", "altitude_km"});
     table.levels[0].catches = {"zeros", "flip_v"};
 }
 
@@ -234,7 +222,8 @@ inline Baked sample_volume(const std::array<int, 3>& size = {12, 10, 7}, int cha
         for (std::size_t a = 0; a < 3; ++a) level.size[a] = std::max(1, size[a] >> i);
         const std::vector<std::array<double, 2>> ranges(volume.channel_names.size(), {0.0, 1.0});
         EXPECT_TRUE(survey_level(volume, static_cast<int>(i), ranges, {2}).empty());
-        level.probes = sample_volume_probes(level, volume.channel_names.size(), type);
+        level.probes =
+            sample_probes(level, volume.channel_names.size(), type, {"x_tile", "y_tile", "z_tile"});
         level.catches = {"zeros"};
     }
     volume.certified = true;

@@ -52,16 +52,19 @@ inline std::string read_code(config::FileFormat format, const std::filesystem::p
     return code_without_value(format_of(format).read(path, shape, 0, visit));
 }
 
-// Returns the texels of a level of an asset's file.
+// Returns the texels of a level of an asset's file, which come in their order.
 inline std::vector<float> texels_of(config::FileFormat format, const Baked& baked, int level,
                                     const std::filesystem::path& path) {
+    const std::size_t channels = baked.channel_names.size();
     std::vector<float> found;
-    const auto visit = [&](std::int64_t, std::int64_t count, const float* values) {
-        const auto channels = static_cast<std::int64_t>(baked.channel_names.size());
-        found.insert(found.end(), values, values + count * channels);
+    const auto visit = [&](std::int64_t first, std::int64_t count, const float* values) {
+        EXPECT_EQ(static_cast<std::size_t>(first) * channels, found.size());
+        found.insert(found.end(), values, values + static_cast<std::size_t>(count) * channels);
         return true;
     };
-    EXPECT_EQ(format_of(format).read(path, shape_of(baked), level, visit).value, true);
+    const auto read = format_of(format).read(path, shape_of(baked), level, visit);
+    EXPECT_EQ(read.value, true);
+    for (const auto& diagnostic : read.diagnostics) ADD_FAILURE() << diagnostic.message;
     return found;
 }
 
@@ -73,27 +76,17 @@ inline float stored(const std::array<int, 3>& voxel, int channel, config::PixelT
 // Reads level 0 by the format's reader; how many values are not those of sample_voxel.
 inline long wrong_values(config::FileFormat format, const Baked& baked,
                          const std::filesystem::path& path) {
-    const FileShape shape = shape_of(baked);
-    const auto channels = static_cast<int>(shape.channels);
-    std::int64_t next = 0;
+    const std::vector<float> found = texels_of(format, baked, 0, path);
+    const auto channels = static_cast<int>(baked.channel_names.size());
+    const auto& size = baked.levels[0].size;
+    EXPECT_EQ(found.size(), static_cast<std::size_t>(VoxelBox{{}, size}.count() * channels));
     long wrong = 0;
-    const auto visit = [&](std::int64_t first, std::int64_t count, const float* values) {
-        EXPECT_EQ(first, next);
-        for (; next < first + count; ++next) {
-            const std::array<int, 3> voxel = {
-                static_cast<int>(next % shape.size[0]),
-                static_cast<int>(next / shape.size[0] % shape.size[1]),
-                static_cast<int>(next / shape.size[0] / shape.size[1])};
-            for (int c = 0; c < channels; ++c) {
-                wrong += *values++ == stored(voxel, c, shape.pixel_type) ? 0 : 1;
-            }
+    std::size_t i = 0;
+    for_each_voxel(size, [&](int x, int y, int z) {
+        for (int c = 0; c < channels && i < found.size(); ++c) {
+            wrong += found[i++] == stored({x, y, z}, c, baked.pixel_type) ? 0 : 1;
         }
-        return true;
-    };
-    const auto read = format_of(format).read(path, shape, 0, visit);
-    EXPECT_EQ(read.value, true);
-    for (const auto& diagnostic : read.diagnostics) ADD_FAILURE() << diagnostic.message;
-    EXPECT_EQ(next, (VoxelBox{{}, shape.size}.count()));
+    });
     return wrong;
 }
 

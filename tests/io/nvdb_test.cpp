@@ -44,25 +44,19 @@ void expect_grid(const nanovdb::GridHandle<>& handle, const Baked& volume, int c
     EXPECT_TRUE(nanovdb::isValid(*grid, true, true));
     const std::array<int, 3>& size = volume.levels[0].size;
     const auto accessor = grid->getAccessor();
-    std::vector<float> value(volume.channel_names.size());
-    std::vector<float*> out;
-    for (float& v : value) out.push_back(&v);
+    const auto planes =
+        testing::planes_of(*volume.levels[0].voxels, {{}, size}, volume.channel_names.size());
+    auto value = planes[static_cast<std::size_t>(channel)].begin();
     long wrong = 0;
     std::uint64_t active = 0;
     float least = 1e9F;
     float largest = -1e9F;
     nanovdb::CoordBBox bounds;
     testing::for_each_voxel({size[0] + 2, size[1] + 2, size[2] + 2}, [&](int i, int j, int k) {
-        const int x = i - 1, y = j - 1, z = k - 1;
+        const nanovdb::Coord at(i - 1, j - 1, k - 1);
         const bool is_inside =
-            x >= 0 && y >= 0 && z >= 0 && x < size[0] && y < size[1] && z < size[2];
-        float wanted = 0;
-        if (is_inside) {
-            volume.levels[0].voxels->fill({{x, y, z}, {1, 1, 1}}, out);
-            wanted =
-                round_to_pixel_type(value[static_cast<std::size_t>(channel)], volume.pixel_type);
-        }
-        const nanovdb::Coord at(x, y, z);
+            i > 0 && j > 0 && k > 0 && i <= size[0] && j <= size[1] && k <= size[2];
+        const float wanted = is_inside ? round_to_pixel_type(*value++, volume.pixel_type) : 0.0F;
         const bool is_active = is_inside && (!volume.sparse || wanted != 0);
         wrong += accessor.getValue(at) == wanted ? 0 : 1;
         wrong += accessor.isActive(at) == is_active ? 0 : 1;

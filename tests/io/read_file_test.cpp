@@ -51,33 +51,20 @@ TEST(FileInput, RefusesAPipeAtOnce) {
     EXPECT_EQ(status, 0) << "or -1 if it waited";
 }
 
-TEST(SheetLayout, AStackIsOneColumn) {
-    const SheetGrid layout = testing::grid_of({128, 64, 32}, Kind::stack, 0);
-    EXPECT_EQ(layout.columns, 1);
-    EXPECT_EQ(layout.rows, 32);
-    EXPECT_EQ(image_size({128, 64, 32}, layout), (std::array<std::int64_t, 2>{128, 2048}));
-}
-
-TEST(SheetLayout, AnAtlasHasTheColumnsThatWereAskedFor) {
-    const SheetGrid layout = testing::grid_of({16, 8, 10}, Kind::atlas, 4);
-    EXPECT_EQ(layout.columns, 4);
-    EXPECT_EQ(layout.rows, 3);
-    EXPECT_EQ(testing::grid_of({16, 8, 10}, Kind::atlas, 25).rows, 1);
-}
-
-TEST(SheetLayout, AnAtlasWithoutColumnsHasThoseOfItsSheet) {
-    const SheetGrid layout = testing::grid_of({128, 128, 128}, Kind::atlas, 0);
-    EXPECT_EQ(layout.kind, Kind::atlas);
-    EXPECT_EQ(layout.columns, 16);
-    EXPECT_EQ(layout.rows, 8);
-    EXPECT_EQ(sheet_line({128, 128, 128}, layout),
+// The columns are those of config/assets/output_files.h (tests/config/output_files_test.cpp).
+TEST(SheetLayout, HasTheColumnsOfItsSheetInTexels) {
+    const std::array<int, 3> size = {128, 64, 32};
+    EXPECT_EQ(image_size(size, testing::grid_of(size, Kind::stack, 0)),
+              (std::array<std::int64_t, 2>{128, 2048}));
+    const std::array<int, 3> largest = {16384, 16384, 16384};
+    EXPECT_EQ(image_size(largest, testing::grid_of(largest, Kind::stack, 0))[1],
+              std::int64_t{1} << 28);
+    EXPECT_EQ(testing::grid_of({16, 8, 10}, Kind::atlas, 4).rows, 3);
+    const SheetGrid atlas = testing::grid_of({128, 128, 128}, Kind::atlas, 0);
+    EXPECT_EQ(atlas.kind, Kind::atlas);
+    EXPECT_EQ(sheet_line({128, 128, 128}, atlas),
               "atlas of 16 x 8 cells of 128 x 128 texels, 128 slices row by row from the top left, "
               "row 0 first");
-}
-
-TEST(SheetLayout, SizesDoNotOverflow) {
-    const SheetGrid layout = testing::grid_of({16384, 16384, 16384}, Kind::stack, 0);
-    EXPECT_EQ(image_size({16384, 16384, 16384}, layout)[1], std::int64_t{1} << 28);
 }
 
 }  // namespace

@@ -3,8 +3,6 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
-#include <algorithm>
-
 #include "tests/io/files.h"
 #include "tests/io/vdb_samples.h"
 #include "tests/support/volumes.h"
@@ -28,42 +26,27 @@ void expect_little_memory(const std::filesystem::path& path) {
     EXPECT_LT(peak_memory_mib(), 256);
 }
 
-// Cheap values: the test is of what the writer and reader need.
-class Ramp : public VoxelSource {
-  public:
-    void fill(const VoxelBox& box, const std::vector<float*>& channels) const override {
-        float* out = channels[0];
-        testing::for_each_voxel(box.size, [&](int x, int y, int z) {
-            *out++ = static_cast<float>((x + y + z) % 1024) / 1024;
-        });
-    }
-};
+float ramp(int x, int y, int z, int) { return static_cast<float>((x + y + z) % 1024) / 1024; }
+
+// A volume of 2 GiB whose voxels a function makes.
+Baked volume_of(testing::FunctionVoxels::Function function) {
+    Baked volume = testing::vdb_sample({1024, 1024, 512}, 1, config::PixelType::half);
+    volume.levels[0].voxels = std::make_shared<testing::FunctionVoxels>(std::move(function));
+    return volume;
+}
 
 TEST(VdbMemory, DoesNotGrowWithTheVolume) {
     const testing::TemporaryFolder folder;
-    Baked volume = testing::vdb_sample({1024, 1024, 512}, 1, config::PixelType::half);
-    volume.levels[0].voxels = std::make_shared<Ramp>();
-    ASSERT_TRUE(testing::write_sample(volume, folder / "v.vdb").value.has_value());
+    ASSERT_TRUE(testing::write_sample(volume_of(ramp), folder / "v.vdb").value.has_value());
     expect_little_memory(folder / "v.vdb");
 }
 
 // A quarter of the voxels, in layers that each leaf has some of; the file takes 256 MiB.
-class Layers : public VoxelSource {
-  public:
-    void fill(const VoxelBox& box, const std::vector<float*>& channels) const override {
-        Ramp().fill(box, channels);
-        const std::int64_t plane = std::int64_t{box.size[0]} * box.size[1];
-        for (int z = 0; z < box.size[2]; ++z) {
-            if ((box.origin[2] + z) % 4 != 0) std::fill_n(channels[0] + z * plane, plane, 0.0F);
-        }
-    }
-};
-
 TEST(VdbMemory, OfASparseVolumeIsWhatIsKept) {
     const testing::TemporaryFolder folder;
-    Baked volume = testing::vdb_sample({1024, 1024, 512}, 1, config::PixelType::half);
+    Baked volume =
+        volume_of([](int x, int y, int z, int c) { return z % 4 == 0 ? ramp(x, y, z, c) : 0.0F; });
     volume.sparse = true;
-    volume.levels[0].voxels = std::make_shared<Layers>();
     testing::write_bytes(folder / "v.vdb", "");
     constexpr std::size_t kept = 32 << 20;
     ASSERT_TRUE(write_vdb(volume, 0, {}, 2, nullptr, folder / "v.vdb", kept).value.has_value());

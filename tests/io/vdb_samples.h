@@ -65,9 +65,4 @@ inline config::Outcome<bool> read_vdb_voxels(
         });
 }
 
-// Returns the value that the file is to hold.
-inline float stored_voxel(const Baked& volume, int x, int y, int z, int channel) {
-    return round_to_pixel_type(double{voxel_with_zeros(x, y, z, channel)}, volume.pixel_type);
-}
-
 }  // namespace skybake::testing

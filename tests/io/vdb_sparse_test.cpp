@@ -17,8 +17,8 @@ namespace {
 
 using config::VdbCompression;
 using openvdb::Coord;
-using openvdb::FloatGrid;
 using testing::FunctionVoxels;
+using testing::wrong_with;
 using Size = std::array<int, 3>;
 using Function = FunctionVoxels::Function;
 
@@ -31,128 +31,14 @@ Baked sparse_sample(const Size& size, int channels, Function function,
     return volume;
 }
 
-// Returns the values that the file is to hold of a channel: x fastest, then y, then z.
-std::vector<float> stored_values(const Baked& volume, int channel) {
-    std::vector<float> values = testing::voxels_of(volume, static_cast<std::size_t>(channel));
-    for (float& value : values) {
-        value = round_to_pixel_type(double{value}, volume.pixel_type);
-        if (value == 0) value = 0;  // not -0
-    }
-    return values;
-}
-
-// The plain way: a tree in which the voxels that are not 0 are set.
-FloatGrid::Ptr sparse_grid(const std::vector<float>& values, const Size& size) {
-    FloatGrid::Ptr grid = FloatGrid::create(0.0F);
-    FloatGrid::Accessor accessor = grid->getAccessor();
-    std::size_t i = 0;
-    testing::for_each_voxel(size, [&](int x, int y, int z) {
-        const float value = values[i++];
-        if (value != 0) accessor.setValueOn(Coord(x, y, z), value);
-    });
-    return grid;
-}
-
-// Whether two trees have the same nodes, active voxels and values, bit by bit.
-bool are_equal(const FloatGrid& a, const FloatGrid& b) {
-    if (!a.tree().hasSameTopology(b.tree())) return false;
-    auto other = b.cbeginValueAll();
-    for (auto value = a.cbeginValueAll(); value; ++value, ++other) {
-        if (!other || *value != *other || std::signbit(*value) != std::signbit(*other)) {
-            return false;
-        }
-    }
-    return !other;
-}
-
-std::vector<std::string> grid_names(const Baked& volume) {
-    if (!volume.grid_names.empty()) return volume.grid_names;
-    if (volume.channel_names.size() == 1) return {"density"};
-    return volume.channel_names;
-}
-
-// Returns the faults of a file that write_vdb made of the volume, as OpenVDB reads it.
-std::string wrong_for_openvdb(const Baked& volume, const std::filesystem::path& path) {
-    openvdb::initialize();
-    const Size& size = volume.levels[0].size;
-    openvdb::io::File file(path.string());
-    file.open();
-    for (std::size_t channel = 0; channel < volume.channel_names.size(); ++channel) {
-        const std::vector<float> values = stored_values(volume, static_cast<int>(channel));
-        const FloatGrid::Ptr wanted = sparse_grid(values, size);
-        const auto grid =
-            openvdb::gridPtrCast<FloatGrid>(file.readGrid(grid_names(volume)[channel]));
-        if (!are_equal(*grid, *wanted)) return "the tree of a grid";
-        if (grid->getGridClass() != openvdb::GRID_FOG_VOLUME) return "the class";
-        openvdb::CoordBBox bounds = wanted->evalActiveVoxelBoundingBox();
-        if (wanted->empty()) bounds = {Coord(0), Coord(size[0], size[1], size[2]).offsetBy(-1)};
-        if (grid->metaValue<openvdb::Vec3i>("file_bbox_min") != bounds.min().asVec3i() ||
-            grid->metaValue<openvdb::Vec3i>("file_bbox_max") != bounds.max().asVec3i()) {
-            return "the bounds";
-        }
-        const auto count = static_cast<std::int64_t>(wanted->activeVoxelCount());
-        if (grid->metaValue<openvdb::Int64>("file_voxel_count") != count) return "the count";
-        if (grid->metaValue<openvdb::Vec3i>("skybake/size") != openvdb::Vec3i(size.data())) {
-            return "the size";
-        }
-        if (channel + 1 < volume.channel_names.size()) continue;
-        const std::string bytes = testing::read_bytes(path);
-        if (!bytes.ends_with(
-                testing::tree_bytes(*wanted, volume.vdb_compression, volume.pixel_type)))
-            return "the bytes of the last tree";
-    }
-    return "";
-}
-
-// Returns the faults of the file as read_vdb_voxels reads it.
-std::string wrong_for_us(const Baked& volume, const std::filesystem::path& path) {
-    std::vector<std::vector<float>> wanted;
-    for (std::size_t channel = 0; channel < volume.channel_names.size(); ++channel) {
-        wanted.push_back(stored_values(volume, static_cast<int>(channel)));
-    }
-    const Size& size = volume.levels[0].size;
-    std::size_t voxel = 0;
-    bool same = true;
-    const auto read = testing::read_vdb_voxels(path, [&](const testing::VdbSlab& slab) {
-        same &= slab.size == size &&
-                slab.voxels.size() ==
-                    wanted.size() * static_cast<std::size_t>(size[0] * size[1] * slab.depth);
-        for (std::size_t i = 0; same && i < slab.voxels.size(); ++voxel) {
-            for (const auto& values : wanted) same &= slab.voxels[i++] == values[voxel];
-        }
-        return same;
-    });
-    if (!read.value) return read.diagnostics.at(0).message;
-    return same && voxel == wanted[0].size() ? "" : "the voxels of slabs";
-}
-
-std::string wrong_with(const Baked& volume, int threads = 2) {
-    const TemporaryFolder folder;
-    const auto written = testing::write_sample(volume, folder / "v.vdb", threads);
-    if (!written.value) return written.diagnostics.at(0).message;
-    const std::string wrong = wrong_for_openvdb(volume, folder / "v.vdb");
-    return wrong.empty() ? wrong_for_us(volume, folder / "v.vdb") : wrong;
-}
-
 // 0, values that are stored as 0, values that nearly are, and others.
 float speckle(int x, int y, int z, int channel) {
     const float value = testing::sample_voxel(x, y, z, channel);
-    switch (static_cast<int>(value * 1e6F) % 9) {
-        case 0:
-            return 0.0F;
-        case 1:
-            return -0.0F;
-        case 2:
-            return 0x1p-25F;  // a tie between 0 and the least half
-        case 3:
-            return std::nextafter(0x1p-25F, 1.0F);
-        case 4:
-            return -0x1p-26F;
-        case 5:
-            return -value;
-        default:
-            return value;
-    }
+    // The third is a tie between 0 and the least half.
+    const std::array values = {0.0F,      -0.0F,  0x1p-25F, std::nextafter(0x1p-25F, 1.0F),
+                               -0x1p-26F, -value, value,    value,
+                               value};
+    return values[static_cast<std::size_t>(value * 1e6F) % 9];
 }
 
 // Speckles within boxes, 0 outside of them.

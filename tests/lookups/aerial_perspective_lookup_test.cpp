@@ -58,10 +58,6 @@ struct AerialTrial {
         return gpu::aerial_lookups::aerial_perspective({texture}, gpu::size_of(texture).z, picture,
                                                        distance_km, all, squared);
     }
-    double range(std::size_t channel) const {
-        const ValueStatistics& s = baked.asset().levels.front().statistics[channel];
-        return s.max - s.min;
-    }
 
     BakedLookup baked;
     Texture texture;
@@ -84,10 +80,7 @@ TEST(AerialPerspectiveLookup, FloatLosesLittle) {
             const gpu::vec4 found = trial.in_float(picture, d);
             const std::array<double, 4> wanted =
                 trial.in_double(double{picture.x}, double{picture.y}, double{d});
-            for (std::size_t c = 0; c < trial.baked.asset().channel_names.size(); ++c) {
-                const auto channel = static_cast<gpu::vec4::length_type>(c);
-                loss.add((double{found[channel]} - wanted[c]) / trial.range(c));
-            }
+            test::add_shares(found, wanted, trial.baked.asset(), loss);
         });
         expect_little_loss(lost, trial.baked.asset().certificate);
     }

@@ -24,9 +24,9 @@ struct ScatteringPlace {
 };
 
 struct ScatteringTrial {
-    explicit ScatteringTrial(const std::string& preset = "earth_hillaire")
-        : baked(test::bake_all("preset = '" + preset +
-                               "'\n[bake.a]\nasset = 'bruneton'\ntable = 'single_mie'\n"
+    ScatteringTrial()
+        : baked(test::bake_all("preset = 'earth_hillaire'\n"
+                               "[bake.a]\nasset = 'bruneton'\ntable = 'single_mie'\n"
                                "pixel_type = 'float'\nsize = [64, 64, 16]\nnu_size = 4\n"
                                "sun_cos_zenith_min = -0.2\n")),
           texture(texture_of(baked.asset())),
@@ -107,29 +107,6 @@ TEST(BrunetonLookup, FloatLosesLittle) {
     expect_little_loss(trial.loss([&](const auto& at) { return trial.in_float(at); }),
                        trial.baked.asset().certificate);
 }
-
-// Tests tables of wavelengths, and of colours made of four.
-class BrunetonProbes : public ::testing::TestWithParam<const char*> {};
-
-TEST_P(BrunetonProbes, AreHeldByTheLookup) {
-    const ScatteringTrial trial(GetParam());
-    const std::vector<Probe>& probes = trial.baked.asset().levels.front().probes;
-    EXPECT_FALSE(probes.empty());
-    for (const Probe& probe : probes) {
-        ScatteringPlace at;
-        at.h = static_cast<float>(test::at(probe, "altitude_km"));
-        at.mu = static_cast<float>(test::at(probe, "cos_zenith"));
-        at.mu_s = static_cast<float>(test::at(probe, "sun_cos_zenith"));
-        at.nu = static_cast<float>(test::at(probe, "nu"));
-        at.ground = test::at(probe, "ground") != 0;
-        test::expect_probe(trial.in_float(at), probe.value, probe.tolerance,
-                           "h " + std::to_string(at.h) + ", mu " + std::to_string(at.mu) +
-                               ", mu_s " + std::to_string(at.mu_s) + ", nu " +
-                               std::to_string(at.nu));
-    }
-}
-
-INSTANTIATE_TEST_SUITE_P(Presets, BrunetonProbes, ::testing::Values("earth_hillaire", "earth"));
 
 TEST(BrunetonLookup, DifferencesOfSquaresWouldBeNoticed) {
     const ScatteringTrial trial;

@@ -32,17 +32,8 @@ TEST(CloudLightLookup, FloatLosesLittle) {
     const test::Loss lost = test::loss_at_places([&](test::Dice& dice, test::Loss& loss) {
         const vec3 p(dice.uniform(-9000, 9000), dice.uniform(-9000, 9000), dice.uniform(0, 1000));
         const vec4 found = gpu::light_lookups::cloud_light({texture}, p, tile);
-        std::array<double, 3> place{};
-        for (std::size_t a = 0; a < 3; ++a) {
-            const auto axis = static_cast<vec3::length_type>(a);
-            place[a] = double{p[axis]} / double{tile[axis]};
-        }
-        const std::array<double, 4> wanted = filtered(texture, place);
-        for (std::size_t c = 0; c < 3; ++c) {
-            const ValueStatistics& s = light.levels.front().statistics[c];
-            loss.add((double{found[static_cast<vec4::length_type>(c)]} - wanted[c]) /
-                     (s.max - s.min));
-        }
+        const auto wanted = gpu::filtered_at(texture, glm::dvec3(p) / glm::dvec3(tile));
+        test::add_shares(found, wanted, light, loss);
     });
     test::expect_little_loss(lost, light.certificate);
 }

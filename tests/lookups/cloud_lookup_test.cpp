@@ -14,7 +14,10 @@ namespace gpu::cloud_lookups {
 
 namespace {
 
+using gpu::filtered_at;
+using gpu::size_of;
 using gpu::vec3;
+using test::add_shares;
 
 // In the first channel, which is the only one.
 const gpu::vec4 kUnormLeap(255, 0, 0, 0);
@@ -38,18 +41,9 @@ TEST(NoiseLookup, FloatLosesLittle) {
                                                   {texture}, gpu::size_of(texture), p, tile)
                                             : gpu::cloud_lookups::noise_volume({texture}, p, tile);
             // Voxel i is at (i + 1/2) / size, or at i / size.
-            std::array<double, 3> place{};
-            for (std::size_t a = 0; a < 3; ++a) {
-                const auto axis = static_cast<vec3::length_type>(a);
-                const double voxel = double{p[axis]} / double{tile[axis]} * texture.size[a];
-                place[a] = (voxel + (corners ? 0.5 : 0)) / texture.size[a];
-            }
-            const std::array<double, 4> wanted = filtered(texture, place);
-            for (std::size_t c = 0; c < 4; ++c) {
-                const ValueStatistics& s = baked.asset().levels.front().statistics[c];
-                loss.add((double{found[static_cast<vec3::length_type>(c)]} - wanted[c]) /
-                         (s.max - s.min));
-            }
+            const glm::dvec3 half = glm::dvec3(corners ? 0.5 : 0) / glm::dvec3(size_of(texture));
+            const auto wanted = filtered_at(texture, glm::dvec3(p) / glm::dvec3(tile) + half);
+            add_shares(found, wanted, baked.asset(), loss);
         });
         expect_little_loss(lost, baked.asset().certificate);
     }
@@ -139,20 +133,17 @@ struct CloudTrial {
                                                tile, ray.stride, ray.count);
     }
     // At a place in voxels.
-    double density_at(const std::array<double, 3>& place) const {
-        return filtered(cloud, {place[0] / cloud.size[0], place[1] / cloud.size[1],
-                                place[2] / cloud.size[2]})[0];
-    }
-    // Where a place in voxels is in the texture of distances.
-    std::array<double, 3> shares_of(const std::array<double, 3>& place) const {
-        return {place[0] / (2 * distances.size[0]), place[1] / (2 * distances.size[1]),
-                place[2] / (2 * distances.size[2])};
+    double density_at(const glm::dvec3& place) const {
+        return filtered_at(cloud, place / glm::dvec3(size_of(cloud)))[0];
     }
     // In metres from the lower corner of the tile.
     glm::dvec3 place_of(const Probe& probe) const {
         const double base_m = baked.recipe.parameters.clouds.front().base_altitude.meters;
         return {test::at(probe, "x_m"), test::at(probe, "y_m"),
                 test::at(probe, "altitude_m") - base_m};
+    }
+    double distance_at(const glm::dvec3& place) const {
+        return filtered_at(distances, place / (2.0 * glm::dvec3(size_of(distances))))[0];
     }
     // A grid that calls nothing empty, whose march looks everywhere.
     Texture without_leaps() const {
@@ -167,6 +158,51 @@ struct CloudTrial {
     Texture distances;
     vec3 tile{3000, 3200, 1000};
 };
+
+// Where the box of a cell that is `leap` cells from an occupied one ends along an axis, in voxels
+// from the tile's corner. Tiles follow each other, and the last cell of each may be smaller.
+int face_of_box(int cell, int leap, bool upwards, int cells, int voxels) {
+    const int face = upwards ? cell + leap : cell + 1 - leap;
+    const int tile = face >= 0 ? face / cells : (face - cells + 1) / cells;
+    return tile * voxels + 4 * (face - tile * cells);
+}
+
+// Compares what the lookup makes of a probe's cell: how far a ray goes on, along each axis and against it.
+void expect_leaps_of_probe(const CloudTrial& trial, const Probe& probe, int leap) {
+    const glm::dvec3 place = trial.place_of(probe);
+    for (int direction = 0; direction < 6; ++direction) {
+        const int axis = direction / 2;
+        const auto i = static_cast<std::size_t>(axis);
+        vec3 ray(0);
+        ray[axis] = direction % 2 == 0 ? 1.0f : -1.0f;
+        const float found =
+            gpu::cloud_lookups::cloud_leap({trial.leaps}, size_of(trial.leaps), 4, kUnormLeap,
+                                           size_of(trial.cloud), vec3(place), ray, trial.tile);
+        const int cells = trial.leaps.size[i];
+        const int voxels = trial.cloud.size[i];
+        const int face = face_of_box(static_cast<int>(probe.uvw[i] * cells), leap,
+                                     direction % 2 == 0, cells, voxels);
+        const double edge_m = double{trial.tile[axis]} / voxels;
+        const double margin_m = edge_m / 64;
+        const double wanted = leap == 0 ? 0 : std::fabs(face * edge_m - place[axis]) - margin_m;
+        EXPECT_NEAR(found, wanted, 1e-5 * (wanted + double{trial.tile[axis]}))
+            << "x " << place.x << ", leap " << leap << ", direction " << direction;
+    }
+}
+
+TEST(CloudLeap, HoldsTheProbes) {
+    for (const char* size : {"[60, 64, 20]", "[60, 64, 19]"}) {
+        const CloudTrial trial(size);
+        std::set<int> leaps;
+        for (const Probe& probe : trial.baked.asset(1).levels.front().probes) {
+            const auto leap = static_cast<int>(std::lround(255 * probe.value.front()));
+            EXPECT_LE(std::fabs(leap / 255.0 - probe.value.front()), probe.tolerance.front());
+            expect_leaps_of_probe(trial, probe, leap);
+            leaps.insert(leap);
+        }
+        EXPECT_GT(leaps.size(), 2U);  // of occupied cells, of their neighbours, and farther ones
+    }
+}
 
 // Marches that look everywhere beside those that skip, over the same rays.
 struct Marches {
@@ -238,7 +274,9 @@ int differently_counted(const CloudTrial& trial, const Texture& structure, const
         }
         const occupancy::MarchFetches counted = occupancy::march(
             samples, [&](const auto& place, const auto& step) { return stay(place, step, ray); },
-            [&](const auto& place) { return trial.density_at(place) > 0; });
+            [&](const auto& at) {
+                return trial.density_at({at[0], at[1], at[2]}) > 0;
+            });
         trial.cloud.lookups = structure.lookups = 0;
         march(ray);
         if (counted.densities != trial.cloud.lookups || counted.structure != structure.lookups) {
@@ -269,8 +307,8 @@ TEST(CloudTrace, TakesTheFetchesThatAreCounted) {
         const CloudTrial trial(size);
         const int different = differently_counted(
             trial, trial.distances,
-            [&](const auto& place, const auto&, const auto& ray) {
-                const double share = filtered(trial.distances, trial.shares_of(place))[0];
+            [&](const auto& at, const auto&, const auto& ray) {
+                const double share = trial.distance_at({at[0], at[1], at[2]});
                 const double metres = std::lerp(double{kEnds.x}, double{kEnds.y}, share);
                 return occupancy::stay_of_distance(metres / double{ray.stride});
             },
@@ -308,51 +346,6 @@ TEST(CloudTrace, TooLongDistancesWouldBeNoticed) {
     EXPECT_GT(trace_twice(trial, bold).different, 50);
 }
 
-// Where the box of a cell that is `leap` cells from an occupied one ends along an axis, in voxels
-// from the tile's corner. Tiles follow each other, and the last cell of each may be smaller.
-int face_of_box(int cell, int leap, bool upwards, int cells, int voxels) {
-    const int face = upwards ? cell + leap : cell + 1 - leap;
-    const int tile = face >= 0 ? face / cells : (face - cells + 1) / cells;
-    return tile * voxels + 4 * (face - tile * cells);
-}
-
-// Compares what the lookup makes of a probe's cell: how far a ray goes on, along each axis and against it.
-void expect_leaps_of_probe(const CloudTrial& trial, const Probe& probe, int leap) {
-    const glm::dvec3 place = trial.place_of(probe);
-    for (int direction = 0; direction < 6; ++direction) {
-        const int axis = direction / 2;
-        const auto i = static_cast<std::size_t>(axis);
-        vec3 ray(0);
-        ray[axis] = direction % 2 == 0 ? 1.0f : -1.0f;
-        const float found =
-            gpu::cloud_lookups::cloud_leap({trial.leaps}, gpu::size_of(trial.leaps), 4, kUnormLeap,
-                                           gpu::size_of(trial.cloud), vec3(place), ray, trial.tile);
-        const int cells = trial.leaps.size[i];
-        const int voxels = trial.cloud.size[i];
-        const int face = face_of_box(static_cast<int>(probe.uvw[i] * cells), leap,
-                                     direction % 2 == 0, cells, voxels);
-        const double edge_m = double{trial.tile[axis]} / voxels;
-        const double margin_m = edge_m / 64;
-        const double wanted = leap == 0 ? 0 : std::fabs(face * edge_m - place[axis]) - margin_m;
-        EXPECT_NEAR(found, wanted, 1e-5 * (wanted + double{trial.tile[axis]}))
-            << "x " << place.x << ", leap " << leap << ", direction " << direction;
-    }
-}
-
-TEST(CloudLeap, HoldsTheProbes) {
-    for (const char* size : {"[60, 64, 20]", "[60, 64, 19]"}) {
-        const CloudTrial trial(size);
-        std::set<int> leaps;
-        for (const Probe& probe : trial.baked.asset(1).levels.front().probes) {
-            const auto leap = static_cast<int>(std::lround(255 * probe.value.front()));
-            EXPECT_LE(std::fabs(leap / 255.0 - probe.value.front()), probe.tolerance.front());
-            expect_leaps_of_probe(trial, probe, leap);
-            leaps.insert(leap);
-        }
-        EXPECT_GT(leaps.size(), 2U);  // of occupied cells, of their neighbours, and farther ones
-    }
-}
-
 TEST(CloudMarch, AddsUpTheDensities) {
     const CloudTrial trial;
     test::Dice dice;
@@ -362,8 +355,7 @@ TEST(CloudMarch, AddsUpTheDensities) {
         for (int k = 0; k < ray.count; ++k) {
             const glm::dvec3 p =
                 glm::dvec3(ray.from) + glm::dvec3(ray.ray) * (k * double{ray.stride});
-            const glm::dvec3 place = p / glm::dvec3(trial.tile);
-            sum += filtered(trial.cloud, {place.x, place.y, place.z})[0];
+            sum += filtered_at(trial.cloud, p / glm::dvec3(trial.tile))[0];
         }
         sum *= double{ray.stride};
         EXPECT_NEAR(trial.march(ray, trial.leaps), sum, 1e-3 * sum + 0.05) << "ray " << i;
@@ -372,13 +364,11 @@ TEST(CloudMarch, AddsUpTheDensities) {
 
 TEST(CloudLookup, FloatLosesLittle) {
     const CloudTrial trial;
-    const ValueStatistics& range = trial.baked.asset().levels.front().statistics.front();
     const test::Loss lost = test::loss_at_places([&](test::Dice& dice, test::Loss& loss) {
         const vec3 p(dice.uniform(-9000, 9000), dice.uniform(-9000, 9000), dice.uniform(0, 1000));
         const float found = gpu::cloud_lookups::cloud_density({trial.cloud}, p, trial.tile);
-        const glm::dvec3 place = glm::dvec3(p) / glm::dvec3(trial.tile);
-        const double wanted = filtered(trial.cloud, {place.x, place.y, place.z})[0];
-        loss.add((double{found} - wanted) / (range.max - range.min));
+        const auto wanted = filtered_at(trial.cloud, glm::dvec3(p) / glm::dvec3(trial.tile));
+        add_shares(gpu::vec4(found), wanted, trial.baked.asset(), loss);
     });
     expect_little_loss(lost, trial.baked.asset().certificate);
 }

@@ -41,22 +41,6 @@ struct ColumnTrial {
         return columns;
     }
 
-    // The lookup returns the column of a probe's path and the path's length.
-    template <class Lookup>
-    void expect_probes(const Lookup& lookup) const {
-        const std::vector<Probe>& probes = baked.asset().levels.front().probes;
-        EXPECT_FALSE(probes.empty());
-        for (const Probe& probe : probes) {
-            const auto [column, length_km] = lookup(probe);
-            test::expect_column(column, length_km, probe);
-            ASSERT_EQ(probe.column_km.size(), probe.value.size());
-            for (std::size_t k = 0; k < probe.column_km.size(); ++k) {
-                const auto found = double{column[static_cast<gpu::vec4::length_type>(k)]};
-                EXPECT_NEAR(found, probe.column_km[k], 2e-3 * probe.column_km[k] + 1e-9);
-            }
-        }
-    }
-
     // Adds the errors of the transmittance of each kind alone and of all together.
     void add_errors(const gpu::vec4& found, const std::array<double, 4>& wanted,
                     test::Loss& loss) const {
@@ -122,64 +106,6 @@ TEST(ColumnLookup, FloatLosesLittleToTheTop) {
     expect_little_loss(lost, trial.baked.asset().certificate);
 }
 
-TEST(ColumnLookup, HoldsTheProbesToTheTop) {
-    const ColumnTrial trial("size = [128, 64, 1]\n");
-    trial.expect_probes([&](const Probe& probe) {
-        const double h = test::at(probe, "altitude_km");
-        const double mu = test::at(probe, "cos_zenith");
-        const Shell& shell = trial.geometry.shell;
-        return std::pair(gpu::column_lookups::column_to_top(
-                             {trial.texture}, gpu::vec2(gpu::size_of(trial.texture)), trial.air,
-                             static_cast<float>(h), static_cast<float>(mu)),
-                         distance_to_top_km(shell, h, (shell.ground_radius_km + h) * mu));
-    });
-}
-
-TEST(ColumnLookup, HoldsTheProbesBetweenPoints) {
-    const ColumnTrial trial("table = 'between'\nsize = [32, 32, 32]\n");
-    trial.expect_probes([&](const Probe& probe) {
-        const double low = test::at(probe, "low_altitude_km");
-        const double high = test::at(probe, "high_altitude_km");
-        const double length_km = test::length_between_km(trial.geometry.shell, probe);
-        return std::pair(
-            gpu::column_lookups::column_between(
-                {trial.texture}, gpu::size_of(trial.texture), trial.air, static_cast<float>(high),
-                static_cast<float>(low), static_cast<float>(length_km)),
-            length_km);
-    });
-}
-
-TEST(ColumnLookup, HoldsTheProbesAlongRays) {
-    const ColumnTrial trial("table = 'between'\ncoordinates = 'distance'\nsize = [32, 32, 32]\n");
-    trial.expect_probes([&](const Probe& probe) {
-        const double length_km = test::at(probe, "length_km");
-        return std::pair(
-            gpu::column_lookups::column_along(
-                {trial.texture}, gpu::size_of(trial.texture), trial.air,
-                static_cast<float>(test::at(probe, "altitude_km")),
-                static_cast<float>(test::at(probe, "cos_zenith")), static_cast<float>(length_km)),
-            length_km);
-    });
-}
-
-TEST(ColumnLookup, HoldsTheProbesOfDensitiesAndPhases) {
-    const ColumnTrial densities("table = 'density'\nsize = [256, 1, 1]\n");
-    for (const Probe& probe : densities.baked.asset().levels.front().probes) {
-        const double h = test::at(probe, "altitude_km");
-        test::expect_probe(gpu::column_lookups::column_density(
-                               {densities.texture}, 256, densities.air, static_cast<float>(h)),
-                           probe.value, probe.tolerance, "h " + std::to_string(h));
-    }
-    const ColumnTrial phases("table = 'phase'\nsize = [256, 1, 1]\n");
-    for (const Probe& probe : phases.baked.asset().levels.front().probes) {
-        const double degrees = test::at(probe, "scattering_angle_deg");
-        const double angle = degrees / 180 * std::numbers::pi;
-        test::expect_probe(gpu::column_lookups::column_phase({phases.texture}, 256, {1, 0, 0},
-                                                             {std::cos(angle), std::sin(angle), 0}),
-                           probe.value, probe.tolerance, std::to_string(degrees) + " degrees");
-    }
-}
-
 TEST(ColumnLookup, FloatLosesLittleBetweenPoints) {
     const ColumnTrial trial("table = 'between'\nsize = [32, 32, 32]\n");
     const double R = trial.geometry.shell.ground_radius_km;
@@ -234,11 +160,9 @@ TEST(ColumnLookup, FloatLosesLittleOfDensitiesAndPhases) {
         const double exact = std::atan2(unit.y, unit.x);
         const std::array<double, 4> wanted_phase =
             filtered(phases.texture, {x_of_u(std::sqrt(exact / std::numbers::pi), 256), 0.5, 0.5});
+        test::add_shares(density, wanted_density, densities.baked.asset(), density_loss);
         for (std::size_t k = 0; k < 4; ++k) {
             const auto channel = static_cast<gpu::vec4::length_type>(k);
-            const ValueStatistics& range = densities.baked.asset().levels.front().statistics[k];
-            density_loss.add((double{density[channel]} - wanted_density[k]) /
-                             (range.max - range.min));
             phase_loss.add(double{phase[channel]} / wanted_phase[k] - 1);
         }
     }

@@ -131,6 +131,10 @@ inline Texel texture(const sampler2DArray& table, const vec3& at) {
 inline Texel texelFetch(const sampler3D& table, const ivec3& at, int /*level*/) {
     return texel_of(fetched(table.texture, {at.x, at.y, at.z}));
 }
+// Filters at a place, in double.
+inline std::array<double, 4> filtered_at(const Texture& texture, const glm::dvec3& place) {
+    return filtered(texture, {place.x, place.y, place.z});
+}
 // The texels of a texture along each axis, as lookups take them.
 inline vec3 size_of(const Texture& texture) {
     return {texture.size[0], texture.size[1], texture.size[2]};

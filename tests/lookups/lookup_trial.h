@@ -26,6 +26,7 @@
 #include "tests/lookups/gpu.h"
 #include "tests/support/atmospheres.h"
 #include "tests/support/outcomes.h"
+#include "tests/support/probe_place.h"
 
 namespace skybake::test {
 
@@ -65,6 +66,16 @@ void add_relative(const Found& found, const std::array<double, 4>& wanted, doubl
                   Loss& loss) {
     for (int c = 0; c < 3; ++c) {
         loss.add(relative_error(double{found[c]}, wanted[static_cast<std::size_t>(c)], largest));
+    }
+}
+
+// Adds the errors of all channels as shares of their ranges.
+inline void add_shares(const gpu::vec4& found, const std::array<double, 4>& wanted,
+                       const Baked& asset, Loss& loss) {
+    const std::vector<ValueStatistics>& ranges = asset.levels.front().statistics;
+    for (std::size_t c = 0; c < ranges.size(); ++c) {
+        const auto channel = static_cast<gpu::vec4::length_type>(c);
+        loss.add((double{found[channel]} - wanted[c]) / (ranges[c].max - ranges[c].min));
     }
 }
 
@@ -160,18 +171,6 @@ inline BakedLookup bake_all(const std::string& text,
     return baked;
 }
 
-// A coordinate of the place of a probe, of a table or of a volume.
-template <class AnyProbe>
-double at(const AnyProbe& probe, std::string_view name) {
-    const auto found = std::find_if(probe.at.begin(), probe.at.end(),
-                                    [&](const auto& one) { return one.first == name; });
-    if (found == probe.at.end()) {
-        ADD_FAILURE() << "no " << name;
-        return 0;
-    }
-    return found->second;
-}
-
 inline void expect_probe(const gpu::vec4& found, const std::vector<double>& value,
                          const std::vector<double>& tolerance, const std::string& where) {
     for (std::size_t c = 0; c < value.size(); ++c) {
@@ -199,11 +198,14 @@ inline ColumnRange column_range(double length_km, const Probe& probe) {
 }
 inline void expect_column(const gpu::vec4& column, double length_km, const Probe& probe) {
     const ColumnRange range = column_range(length_km, probe);
+    ASSERT_EQ(probe.column_km.size(), probe.value.size());
     for (std::size_t k = 0; k < probe.value.size(); ++k) {
         const float found = column[static_cast<gpu::vec4::length_type>(k)];
         const std::string where = ::testing::PrintToString(probe.at) + ", channel ";
         EXPECT_GE(found, range.low[k]) << where << k;
         EXPECT_LE(found, range.high[k]) << where << k;
+        EXPECT_NEAR(double{found}, probe.column_km[k], 2e-3 * probe.column_km[k] + 1e-9)
+            << where << k;
     }
 }
 

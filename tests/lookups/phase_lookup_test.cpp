@@ -44,28 +44,29 @@ Pair pair_of(double angle, const glm::dvec3& a) {
     return {vec3(a), vec3(std::cos(angle) * a + std::sin(angle) * aside)};
 }
 
+struct Spacing {
+    PhaseSpacing spacing;
+    std::string name;
+    float (*coordinate)(gpu::vec2 half_angle);
+};
+const std::array<Spacing, 4> kSpacings = {
+    {{PhaseSpacing::angle, "angle", gpu::phase_lookups::phase_by_angle},
+     {PhaseSpacing::cosine, "cosine", gpu::phase_lookups::phase_by_cosine},
+     {PhaseSpacing::peaks, "peaks", gpu::phase_lookups::phase_by_peaks},
+     {PhaseSpacing::cosine_from_back, "cosine_from_back",
+      gpu::phase_lookups::phase_by_cosine_from_back}}};
+
 struct PhaseTrial {
-    explicit PhaseTrial(PhaseSpacing which)
-        : spacing(which),
+    explicit PhaseTrial(const Spacing& which)
+        : of(which),
           baked(test::bake_all(
               "preset = 'earth_hillaire'\n[particles.fog]\npreset = 'fog'\n[bake.a]\n"
               "asset = 'phase'\nparticles = 'fog'\nspacing = '" +
-              name() + "'\n")),
+              of.name + "'\n")),
           texture(texture_of(baked.asset())) {}
 
-    std::string name() const {
-        return spacing == PhaseSpacing::angle              ? "angle"
-               : spacing == PhaseSpacing::cosine           ? "cosine"
-               : spacing == PhaseSpacing::cosine_from_back ? "cosine_from_back"
-                                                           : "peaks";
-    }
     vec3 in_float(const Pair& pair) const {
-        const gpu::vec2 t = gpu::phase_lookups::half_angle(pair.a, pair.b);
-        using namespace gpu::phase_lookups;
-        const float x = spacing == PhaseSpacing::angle              ? phase_by_angle(t)
-                        : spacing == PhaseSpacing::cosine           ? phase_by_cosine(t)
-                        : spacing == PhaseSpacing::cosine_from_back ? phase_by_cosine_from_back(t)
-                                                                    : phase_by_peaks(t);
+        const float x = of.coordinate(gpu::phase_lookups::half_angle(pair.a, pair.b));
         return gpu::phase_lookups::phase_function({texture}, gpu::size_of(texture).x, x);
     }
     template <class Lookup>
@@ -75,31 +76,30 @@ struct PhaseTrial {
             const Pair pair = pair_of(angle, dice.direction());
             const vec3 found = lookup(pair);
             const std::array<double, 4> wanted =
-                in_double(texture, phase_coordinate(spacing, pair.angle()));
+                in_double(texture, phase_coordinate(of.spacing, pair.angle()));
             for (int c = 0; c < 3; ++c) {
                 loss.add(double{found[c]} / wanted[static_cast<std::size_t>(c)] - 1);
             }
         });
     }
 
-    PhaseSpacing spacing;
+    const Spacing& of;
     test::BakedLookup baked;
     Texture texture;
 };
 
 TEST(PhaseLookup, FloatLosesLittle) {
-    for (const PhaseSpacing spacing : {PhaseSpacing::angle, PhaseSpacing::cosine,
-                                       PhaseSpacing::peaks, PhaseSpacing::cosine_from_back}) {
+    for (const Spacing& spacing : kSpacings) {
         const PhaseTrial trial(spacing);
-        SCOPED_TRACE(trial.name());
-        EXPECT_EQ(trial.baked.asset().mapping, trial.name());
+        SCOPED_TRACE(spacing.name);
+        EXPECT_EQ(trial.baked.asset().mapping, spacing.name);
         expect_little_loss(trial.loss([&](const Pair& pair) { return trial.in_float(pair); }),
                            trial.baked.asset().certificate);
     }
 }
 
 TEST(PhaseLookup, CosinesWouldBeNoticed) {
-    const PhaseTrial trial(PhaseSpacing::peaks);
+    const PhaseTrial trial(kSpacings[2]);  // peaks
     const test::Loss loss = trial.loss([&](const Pair& pair) {
         return gpu::phase_lookups::phase_function(
             {trial.texture}, gpu::size_of(trial.texture).x,

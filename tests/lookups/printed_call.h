@@ -45,6 +45,14 @@ class CallNotes {
                  {"channels", channels}};
     }
     // Sets the bounds of the last call, and notes it. A call without bounds is not noted.
+    void bound_by(std::vector<double> value, const std::vector<double>& tolerance) {
+        std::vector<double> high = value;
+        for (std::size_t c = 0; c < value.size(); ++c) {
+            value[c] -= tolerance[c];
+            high[c] += tolerance[c];
+        }
+        bound(value, high);
+    }
     void bound(const std::vector<double>& low, const std::vector<double>& high) {
         if (!is_wanted()) return;
         last_["low"] = low;
@@ -79,14 +87,9 @@ class CallNotes {
 inline nlohmann::json noted(float x) { return {{"type", "float"}, {"value", {x}}}; }
 inline nlohmann::json noted(int x) { return {{"type", "int"}, {"value", {x}}}; }
 inline nlohmann::json noted(bool x) { return {{"type", "bool"}, {"value", {x ? 1 : 0}}}; }
-inline nlohmann::json noted(const gpu::vec2& v) {
-    return {{"type", "vec2"}, {"value", {v.x, v.y}}};
-}
-inline nlohmann::json noted(const gpu::vec3& v) {
-    return {{"type", "vec3"}, {"value", {v.x, v.y, v.z}}};
-}
-inline nlohmann::json noted(const gpu::vec4& v) {
-    return {{"type", "vec4"}, {"value", {v.x, v.y, v.z, v.w}}};
+template <glm::length_t N>
+nlohmann::json noted(const glm::vec<N, float>& v) {
+    return {{"type", "vec" + std::to_string(N)}, {"value", std::vector<float>(&v.x, &v.x + N)}};
 }
 inline nlohmann::json noted(const Texture& texture) {
     return CallNotes::of_this_run().texture(texture);
@@ -164,13 +167,7 @@ Result called(const char* file, const char* name, Result (*glsl)(Of...), Other (
 // Compares the last call with a probe, or with a number that another language may miss by so much.
 inline void expect_probe_of_call(const gpu::vec4& found, const Probe& probe) {
     expect_probe(found, probe.value, probe.tolerance, ::testing::PrintToString(probe.at));
-    std::vector<double> low = probe.value;
-    std::vector<double> high = probe.value;
-    for (std::size_t c = 0; c < low.size(); ++c) {
-        low[c] -= probe.tolerance[c];
-        high[c] += probe.tolerance[c];
-    }
-    CallNotes::of_this_run().bound(low, high);
+    CallNotes::of_this_run().bound_by(probe.value, probe.tolerance);
 }
 inline void expect_column_of_call(const gpu::vec4& column, double length_km, const Probe& probe) {
     expect_column(column, length_km, probe);
@@ -178,17 +175,12 @@ inline void expect_column_of_call(const gpu::vec4& column, double length_km, con
     CallNotes::of_this_run().bound(range.low, range.high);
 }
 inline void bound_call(double value, double tolerance) {
-    CallNotes::of_this_run().bound({value - tolerance}, {value + tolerance});
+    CallNotes::of_this_run().bound_by({value}, {tolerance});
 }
-inline void expect_color_of_call(const gpu::vec3& found, const std::array<double, 3>& color) {
-    std::vector<double> low;
-    std::vector<double> high;
-    for (std::size_t c = 0; c < 3; ++c) {
-        EXPECT_NEAR(double{found[static_cast<glm::length_t>(c)]}, color[c], 1e-5);
-        low.push_back(color[c] - 1e-5);
-        high.push_back(color[c] + 1e-5);
-    }
-    CallNotes::of_this_run().bound(low, high);
+inline void expect_color_of_call(const gpu::vec3& found, const std::vector<double>& color) {
+    const std::vector<double> tolerance(3, 1e-5);
+    expect_probe(widened(found), color, tolerance, "color");
+    CallNotes::of_this_run().bound_by(color, tolerance);
 }
 
 }  // namespace skybake::test

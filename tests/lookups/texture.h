@@ -9,6 +9,7 @@
 #include "bakers/field/baked.h"
 #include "bakers/field/interpolation.h"
 #include "bakers/field/pixel_type.h"
+#include "tests/support/volumes.h"
 
 namespace skybake {
 
@@ -55,17 +56,13 @@ inline std::array<double, 4> filtered(const Texture& texture, const std::array<d
 // Returns level 0 as a texture, rounded as a file stores it.
 inline Texture texture_of(const Baked& baked) {
     const Level& level = baked.levels.front();
-    const auto count = static_cast<std::size_t>(VoxelBox{{}, level.size}.count());
-    const std::size_t channels = baked.channel_names.size();
-    std::vector<std::vector<float>> values(channels, std::vector<float>(count));
-    std::vector<float*> targets;
-    for (std::vector<float>& channel : values) targets.push_back(channel.data());
-    level.voxels->fill({{}, level.size}, targets);
+    const auto values =
+        testing::planes_of(*level.voxels, {{}, level.size}, baked.channel_names.size());
     Texture texture;
     texture.size = level.size;
-    texture.channels = static_cast<int>(channels);
+    texture.channels = static_cast<int>(values.size());
     texture.repeats = level.repeats;
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < values[0].size(); ++i) {
         for (const std::vector<float>& channel : values) {
             texture.texels.push_back(round_to_pixel_type(double{channel[i]}, baked.pixel_type));
         }

@@ -44,14 +44,11 @@ inline std::vector<std::array<int, 3>> holes_between(const std::vector<noise::Ce
             for (int corner = 0; corner < 8 && hole; ++corner) {
                 const int i = corner & 1;
                 const int j = (corner >> 1) & 1;
-                const int k = corner >> 2;
-                const noise::CellPoint& point =
-                    (k != 0
-                         ? above
-                         : below)[static_cast<std::size_t>((y - 1 + j) * kHoleCells + x - 1 + i)];
+                const auto cell = static_cast<std::size_t>((y - 1 + j) * kHoleCells + x - 1 + i);
+                const noise::CellPoint& point = (corner < 4 ? below : above)[cell];
                 const float dx = point.x - static_cast<float>(1 - i);
                 const float dy = point.y - static_cast<float>(1 - j);
-                const float dz = point.z - static_cast<float>(1 - k);
+                const float dz = point.z - static_cast<float>(corner < 4);
                 hole = dx * dx + dy * dy + dz * dz > 1;
             }
             if (hole) holes.push_back({x, y, z});
@@ -74,97 +71,58 @@ struct HoleCount {
     }
 };
 
-// Squared distances from the 8^3 voxels of an octant of the box, all in `cell`, to the nearest
-// point of the cells within `rings`: the specification's operations, over all points for each
-// voxel.
-inline void brute_force(std::uint64_t key, const std::array<int, 3>& cell,
-                        const std::array<std::array<float, kHoleReach>, 3>& fraction, int rings,
-                        float (&nearest)[kHoleReach][kHoleReach][kHoleReach]) {
-    for (auto& slice : nearest) {
-        for (auto& row : slice)
-            std::fill(row, row + kHoleReach, std::numeric_limits<float>::infinity());
-    }
-    const auto wrap = [](int c) {
-        return static_cast<std::uint32_t>((c + kHoleCells) % kHoleCells);
-    };
-    for (int dz = -rings; dz <= rings; ++dz) {
-        for (int dy = -rings; dy <= rings; ++dy) {
-            const noise::RowKey row = noise::row_key(key, wrap(cell[1] + dy), wrap(cell[2] + dz));
-            for (int dx = -rings; dx <= rings; ++dx) {
-                const noise::CellPoint point = noise::cell_point(row, wrap(cell[0] + dx));
-                float squared[3][kHoleReach];
-                for (std::size_t i = 0; i < kHoleReach; ++i) {
-                    const float x = (fraction[0][i] - point.x) - static_cast<float>(dx);
-                    const float y = (fraction[1][i] - point.y) - static_cast<float>(dy);
-                    const float z = (fraction[2][i] - point.z) - static_cast<float>(dz);
-                    squared[0][i] = x * x;
-                    squared[1][i] = y * y;
-                    squared[2][i] = z * z;
-                }
-                for (std::size_t k = 0; k < kHoleReach; ++k) {
-                    for (std::size_t j = 0; j < kHoleReach; ++j) {
-                        for (std::size_t i = 0; i < kHoleReach; ++i) {
-                            const float d = (squared[0][i] + squared[1][j]) + squared[2][k];
-                            float& best = nearest[k][j][i];
-                            best = d < best ? d : best;
-                        }
-                    }
-                }
-            }
-        }
-    }
-}
-
-// The box about a hole, as the kernels make it and by brute force.
+// The box about a hole, as the kernels make it and by brute force: the specification's operations,
+// over all points of the cells within one and within two of the voxel's.
 inline HoleCount look_into(const noise::NoiseField& field, std::uint64_t key,
                            const std::array<int, 3>& hole) {
-    constexpr int kBox = 2 * kHoleReach;
     VoxelBox box;
     for (std::size_t i = 0; i < 3; ++i) {
         box.origin[i] = hole[i] * kHoleVoxelsPerCell - kHoleReach;
-        box.size[i] = kBox;
+        box.size[i] = 2 * kHoleReach;
     }
     const std::vector<float> made = filled(field, box, 1)[0];
+    constexpr int kCells = 6;  // about the hole along an axis
+    const auto cell = [&](std::size_t axis, int i) {
+        return static_cast<std::uint32_t>((hole[axis] - kCells / 2 + i + kHoleCells) % kHoleCells);
+    };
+    noise::CellPoint points[kCells][kCells][kCells];
+    testing::for_each_voxel({kCells, kCells, kCells}, [&](int x, int y, int z) {
+        points[z][y][x] =
+            noise::cell_point(noise::row_key(key, cell(1, y), cell(2, z)), cell(0, x));
+    });
     HoleCount count;
-    for (int octant = 0; octant < 8; ++octant) {
-        std::array<int, 3> side{};
-        std::array<int, 3> cell{};
-        std::array<std::array<float, kHoleReach>, 3> fraction{};
+    std::size_t at = 0;
+    testing::for_each_voxel(box.size, [&](int x, int y, int z) {
+        // The voxel's cell is the third or the fourth along each axis.
+        std::array<int, 3> own{};
+        std::array<float, 3> fraction{};
+        float m = 1;
         for (std::size_t i = 0; i < 3; ++i) {
-            side[i] = (octant >> i) & 1;
-            cell[i] = hole[i] - 1 + side[i];
-            for (int v = 0; v < kHoleReach; ++v) {
-                const int within = side[i] != 0 ? v : kHoleVoxelsPerCell - kHoleReach + v;
-                fraction[i][static_cast<std::size_t>(v)] =
-                    (static_cast<float>(within) + 0.5f) / static_cast<float>(kHoleVoxelsPerCell);
-            }
+            const int v = std::array{x, y, z}[i] - kHoleReach;
+            own[i] = v < 0 ? 2 : 3;
+            fraction[i] = (static_cast<float>(v < 0 ? v + kHoleVoxelsPerCell : v) + 0.5f) /
+                          static_cast<float>(kHoleVoxelsPerCell);
+            m = std::min({m, fraction[i], 1 - fraction[i]});
         }
-        float few[kHoleReach][kHoleReach][kHoleReach];
-        float all[kHoleReach][kHoleReach][kHoleReach];
-        brute_force(key, cell, fraction, 1, few);
-        brute_force(key, cell, fraction, 2, all);
-        for (std::size_t k = 0; k < kHoleReach; ++k) {
-            for (std::size_t j = 0; j < kHoleReach; ++j) {
-                for (std::size_t i = 0; i < kHoleReach; ++i) {
-                    const auto border = [](float f) { return std::min(f, 1 - f); };
-                    const float m = std::min(
-                        {border(fraction[0][i]), border(fraction[1][j]), border(fraction[2][k])});
-                    if (std::sqrt(few[k][j][i]) > 1 + m) ++count.unsure;
-                    if (few[k][j][i] != all[k][j][i]) {
-                        ++count.wrong;
-                        count.wrong_by =
-                            std::max(count.wrong_by, std::sqrt(double{few[k][j][i]}) -
-                                                         std::sqrt(double{all[k][j][i]}));
-                    }
-                    const std::size_t x = static_cast<std::size_t>(side[0]) * kHoleReach + i;
-                    const std::size_t y = static_cast<std::size_t>(side[1]) * kHoleReach + j;
-                    const std::size_t z = static_cast<std::size_t>(side[2]) * kHoleReach + k;
-                    const float found = made[(z * kBox + y) * kBox + x];
-                    if (!same_bits(found, std::sqrt(all[k][j][i]))) ++count.mismatches;
-                }
-            }
+        float few = std::numeric_limits<float>::infinity();
+        float all = few;
+        testing::for_each_voxel({5, 5, 5}, [&](int i, int j, int k) {
+            const noise::CellPoint& point = points[own[2] + k - 2][own[1] + j - 2][own[0] + i - 2];
+            const float dx = (fraction[0] - point.x) - static_cast<float>(i - 2);
+            const float dy = (fraction[1] - point.y) - static_cast<float>(j - 2);
+            const float dz = (fraction[2] - point.z) - static_cast<float>(k - 2);
+            const float d = (dx * dx + dy * dy) + dz * dz;
+            all = std::min(all, d);
+            if (i % 4 != 0 && j % 4 != 0 && k % 4 != 0) few = std::min(few, d);
+        });
+        if (std::sqrt(few) > 1 + m) ++count.unsure;
+        if (few != all) {
+            ++count.wrong;
+            count.wrong_by =
+                std::max(count.wrong_by, std::sqrt(double{few}) - std::sqrt(double{all}));
         }
-    }
+        if (!same_bits(made[at++], std::sqrt(all))) ++count.mismatches;
+    });
     return count;
 }
 

@@ -12,31 +12,25 @@
 #include "config/assets/flipbook.h"
 #include "config/recipe/recipe.h"
 #include "config/sections/frames.h"
+#include "tests/support/atmospheres.h"
 #include "tests/support/outcomes.h"
+#include "tests/support/volumes.h"
 
 namespace skybake {
 namespace {
 
-config::Recipe recipe_of(const std::string& text) {
-    return test::without_errors(config::parse_recipe(text, "recipe.toml", {}, {}));
-}
+using test::recipe_of;
 
 Baked baked(const config::Recipe& recipe, const config::Bake& bake,
             Certification certification = Certification::quick) {
-    BakeOptions options;
-    options.threads = 2;
-    options.certification = certification;
     SCOPED_TRACE(bake.name);
-    return test::without_errors(bake_asset(recipe, bake, options));
+    return test::without_errors(
+        bake_asset(recipe, bake, {.threads = 2, .certification = certification}));
 }
 
-std::vector<float> values_of(const Level& level, const VoxelBox& box, std::size_t channels) {
-    const auto count = static_cast<std::size_t>(box.count());
-    std::vector<float> values(channels * count);
-    std::vector<float*> targets;
-    for (std::size_t c = 0; c < channels; ++c) targets.push_back(values.data() + c * count);
-    level.voxels->fill(box, targets);
-    return values;
+std::vector<std::vector<float>> values_of(const Level& level, const VoxelBox& box,
+                                          std::size_t channels) {
+    return testing::planes_of(*level.voxels, box, channels);
 }
 
 const std::string waves =
@@ -73,8 +67,7 @@ TEST(Flipbook, HasTheFramesInTheirOrder) {
         for (int i = 0; i < 6; ++i) {
             const Baked frame = baked(recipe, bakes[static_cast<std::size_t>(i)]);
             const int slice = frame.levels.at(0).size[2] / 2;
-            const std::vector<float> wanted =
-                values_of(frame.levels[0], {{0, 0, slice}, {20, 16, 1}}, channels);
+            const auto wanted = values_of(frame.levels[0], {{0, 0, slice}, {20, 16, 1}}, channels);
             for (int layer = 0; layer < 6; ++layer) {
                 const bool equal =
                     values_of(flipbook.levels[0], {{0, 0, layer}, {20, 16, 1}}, channels) == wanted;
@@ -82,14 +75,10 @@ TEST(Flipbook, HasTheFramesInTheirOrder) {
             }
         }
         // Boxes of several layers are their layers.
-        const std::vector<float> both =
-            values_of(flipbook.levels[0], {{3, 2, 2}, {5, 4, 2}}, channels);
-        const std::vector<float> second =
-            values_of(flipbook.levels[0], {{3, 2, 3}, {5, 4, 1}}, channels);
+        const auto both = values_of(flipbook.levels[0], {{3, 2, 2}, {5, 4, 2}}, channels);
+        const auto second = values_of(flipbook.levels[0], {{3, 2, 3}, {5, 4, 1}}, channels);
         for (std::size_t c = 0; c < channels; ++c) {
-            for (std::size_t k = 0; k < 20; ++k) {
-                EXPECT_EQ(both[c * 40 + 20 + k], second[c * 20 + k]);
-            }
+            EXPECT_TRUE(std::equal(second[c].begin(), second[c].end(), both[c].begin() + 20));
         }
     }
 }
@@ -131,16 +120,16 @@ TEST(Flipbook, HasProbesThatTellWrongFiles) {
                 at[i] = (static_cast<int>(std::lround(place)) % level.size[i] + level.size[i]) %
                         level.size[i];
             }
-            const std::vector<float> found = values_of(level, {at, {1, 1, 1}}, 3);
+            const auto found = values_of(level, {at, {1, 1, 1}}, 3);
             for (std::size_t c = 0; c < 3; ++c) {
-                if (std::fabs(double{found[c]} - probe.value[c]) > 0.05) ++missed;
+                if (std::fabs(double{found[c][0]} - probe.value[c]) > 0.05) ++missed;
             }
         }
         EXPECT_GT(missed, 3);
     }
 }
 
-// The mean of 2 x 2 texels of each layer by itself, channel after channel.
+// The mean of 2 x 2 texels of each layer of a channel by itself.
 std::vector<float> halved(const std::vector<float>& finer, std::array<int, 3> size) {
     const auto area = static_cast<std::size_t>(size[0] * size[1]);
     std::vector<float> means;
@@ -171,28 +160,20 @@ TEST(Flipbook, HasLevelsThatKeepFramesApart) {
         for (std::size_t i = 1; i < 3; ++i) {
             const std::array<int, 3> finer = flipbook.levels[i - 1].size;
             ASSERT_EQ(flipbook.levels[i].size, (std::array{finer[0] / 2, finer[1] / 2, 6}));
-            const std::vector<float> wanted =
-                halved(values_of(flipbook.levels[i - 1], {{}, finer}, channels), finer);
-            const std::vector<float> found =
+            const auto before = values_of(flipbook.levels[i - 1], {{}, finer}, channels);
+            const auto found =
                 values_of(flipbook.levels[i], {{}, flipbook.levels[i].size}, channels);
-            ASSERT_EQ(found.size(), wanted.size());
-            double largest = 0;
-            for (std::size_t k = 0; k < found.size(); ++k) {
-                largest = std::max(largest, std::fabs(double{found[k]} - double{wanted[k]}));
-            }
-            EXPECT_LE(largest, 1e-7) << i;
-            const MipSource mixed(flipbook.levels[i - 1].voxels, finer);
-            const std::size_t layer = channels * static_cast<std::size_t>(finer[0] / 2) *
-                                      static_cast<std::size_t>(finer[1] / 2);
-            std::vector<float> other(layer);
-            std::vector<float*> targets;
             for (std::size_t c = 0; c < channels; ++c) {
-                targets.push_back(other.data() + c * layer / channels);
+                const std::vector<float> wanted = halved(before[c], finer);
+                ASSERT_EQ(found[c].size(), wanted.size());
+                for (std::size_t k = 0; k < wanted.size(); ++k) {
+                    ASSERT_NEAR(found[c][k], wanted[k], 1e-7) << i;
+                }
             }
-            mixed.fill({{}, {finer[0] / 2, finer[1] / 2, 1}}, targets);
-            EXPECT_NE(
-                values_of(flipbook.levels[i], {{}, {finer[0] / 2, finer[1] / 2, 1}}, channels),
-                other);
+            const VoxelBox first{{}, {finer[0] / 2, finer[1] / 2, 1}};
+            const MipSource mixed(flipbook.levels[i - 1].voxels, finer);
+            EXPECT_NE(values_of(flipbook.levels[i], first, channels),
+                      testing::planes_of(mixed, first, channels));
         }
         EXPECT_FALSE(flipbook.levels[2].probes.empty());
     }
@@ -209,11 +190,11 @@ TEST(Flipbook, HasLevelsDownToOneTexel) {
     EXPECT_EQ(flipbook.levels[1].size, (std::array{3, 2, 1}));
     EXPECT_EQ(flipbook.levels[2].size, (std::array{1, 1, 1}));
     // Texels of an uneven level are weighed by what they cover, so that the mean stays.
-    const std::vector<float> texels = values_of(flipbook.levels[0], {{}, {7, 5, 1}}, 3);
-    const std::vector<float> last = values_of(flipbook.levels[2], {{}, {1, 1, 1}}, 3);
+    const auto texels = values_of(flipbook.levels[0], {{}, {7, 5, 1}}, 3);
+    const auto last = values_of(flipbook.levels[2], {{}, {1, 1, 1}}, 3);
     for (std::size_t c = 0; c < 3; ++c) {
-        const auto begin = texels.begin() + static_cast<std::ptrdiff_t>(35 * c);
-        EXPECT_NEAR(last[c], std::accumulate(begin, begin + 35, 0.0) / 35, 1e-6);
+        EXPECT_NEAR(last[c][0], std::accumulate(texels[c].begin(), texels[c].end(), 0.0) / 35,
+                    1e-6);
     }
 }
 
@@ -258,19 +239,16 @@ TEST(Flipbook, StatesTheErrorOfBlending) {
 TEST(MovingWeather, CoversTheSameShareAndLoops) {
     const config::Recipe recipe = recipe_of(waves + map);
     for (int frame = 1; frame <= 6; ++frame) {
-        BakeOptions options;
         const auto at = [&](int number) {
             const auto made = make_frame(config::at_frame(recipe.parameters, number),
-                                         recipe.parameters.bakes[0], options);
+                                         recipe.parameters.bakes[0], {});
             return values_of(made.value.value().levels[0], {{}, {20, 16, 1}}, 3);
         };
-        const std::vector<float> values = at(frame);
+        const auto values = at(frame);
         EXPECT_EQ(at(frame + 6), values);
         EXPECT_NE(at(frame + 1), values);
-        for (std::size_t c = 0; c < 3; ++c) {
-            const auto begin = values.begin() + static_cast<std::ptrdiff_t>(c * 320);
-            const auto above =
-                std::count_if(begin, begin + 320, [](float value) { return value > 0; });
+        for (const std::vector<float>& channel : values) {
+            const auto above = std::ranges::count_if(channel, [](float v) { return v > 0; });
             EXPECT_EQ(above, 128) << frame;
         }
     }

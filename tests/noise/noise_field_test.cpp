@@ -25,15 +25,12 @@ TEST(NoiseField, EqualsTheSpecificationOnEveryTarget) {
     }
 }
 
-// The second of three octaves has more cells than voxels.
-TEST(NoiseField, EqualsTheSpecificationFromAFineOctaveOn) {
+TEST(NoiseField, EqualsTheSpecificationOfAnyOctaves) {
+    // The second of three octaves has more cells than voxels.
     for (const auto& noise : test::noises_of_all_kinds({{4, 4, 4}, {9, 5, 40}, {3, 5, 7}})) {
         expect_specified(noise, {33, 20, 11}, {{0, 1, 0}, {33, 18, 11}});
     }
-}
-
-// Rows of whole vectors go straight to the caller.
-TEST(NoiseField, EqualsTheSpecificationWhereRowsAreWholeVectors) {
+    // Rows of whole vectors go straight to the caller.
     expect_specified(test::noise_of({test::perlin({{4, 4, 4}, {16, 16, 16}}),
                                      test::perlin({{8, 3, 5}}, NoiseFractal::billow),
                                      test::curl({{4, 4, 4}}, config::CurlComponent::z)}),
@@ -41,6 +38,11 @@ TEST(NoiseField, EqualsTheSpecificationWhereRowsAreWholeVectors) {
     // Long rows are made in pieces, here of up to as many cells as voxels.
     expect_specified(test::noise_of({test::perlin({{75, 4, 2}, {620, 5, 3}, {3, 2, 1}})}),
                      {620, 20, 3}, {{13, 1, 0}, {607, 13, 3}});
+    // With more cells than voxels along an axis each sample is hashed on its own.
+    expect_specified(test::noise_of({test::perlin({{50, 3, 4}}), test::worley({{1, 2, 40}}),
+                                     test::worley({{5, 3, 40}}, WorleyFeature::f2),
+                                     test::worley({{74, 27, 9}}, WorleyFeature::f2_minus_f1)}),
+                     {37, 9, 9}, {{5, 2, 1}, {32, 7, 8}});
 }
 
 // From the widest cells, of 64 voxels, to cells of one voxel, whose blocks differ in shape.
@@ -90,14 +92,6 @@ TEST(NoiseField, PacksFourChannelsOrThreeIntoOne) {
     EXPECT_EQ(make_noise_plan(noise, {4, 4, 4}).output_channels(), 1);
 }
 
-// With more cells than voxels along an axis each sample is hashed on its own.
-TEST(NoiseField, EqualsTheSpecificationForCellsFinerThanVoxels) {
-    expect_specified(test::noise_of({test::perlin({{50, 3, 4}}), test::worley({{1, 2, 40}}),
-                                     test::worley({{5, 3, 40}}, WorleyFeature::f2),
-                                     test::worley({{74, 27, 9}}, WorleyFeature::f2_minus_f1)}),
-                     {37, 9, 9}, {{5, 2, 1}, {32, 7, 8}});
-}
-
 // Second nearest points are often beyond the 27 cells about a voxel: in so many voxels some are, for
 // cells of 4, 3.3 and 1.3 voxels, and for wide ones of 25. All channels have one field: two are it, a
 // third shapes it.
@@ -126,18 +120,6 @@ TEST(NoiseField, CellsOfAnyWidthEqualThePointwiseKernel) {
         }
         EXPECT_EQ(unlike, 0) << frequency << " cells, " << size << " voxels";
     }
-}
-
-TEST(NoiseSpecification, PerlinIsZeroAtLatticePoints) {
-    config::Noise noise = test::noise_of({test::perlin({{4, 4, 4}}, NoiseFractal::billow)});
-    noise.sampling = config::NoiseSampling::corners;
-    const NoisePlan plan = make_noise_plan(noise, {16, 8, 4});
-    for (int x = 0; x < 16; x += 4) {
-        for (int y = 0; y < 8; y += 2) {
-            for (int z = 0; z < 4; ++z) EXPECT_EQ(noise_at(plan, {x, y, z})[0], 0);
-        }
-    }
-    EXPECT_NE(noise_at(plan, {1, 1, 1})[0], 0);
 }
 
 // Where cells have four voxels or more, the voxels of a block share points (cell_kernel.h). Boxes begin

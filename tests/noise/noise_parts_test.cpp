@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "bakers/noise/cell_value.h"
 #include "bakers/noise/noise_plan.h"
 #include "tests/noise/noises.h"
 
@@ -83,26 +82,6 @@ TEST(GradientBasis, DerivativeIsTheSlope) {
     }
 }
 
-TEST(CellValue, FormsFromSquaredDistances) {
-    for (const auto& [first, second] :
-         {std::array<float, 2>{0, 0}, {0.25f, 1}, {0.04f, 0.09f}, {1, 1}, {1.44f, 2.25f}, {3, 3}}) {
-        const double f1 = std::sqrt(double{first});
-        const double f2 = std::sqrt(double{second});
-        const auto check = [&, a = first, b = second](WorleyFeature feature, double d) {
-            EXPECT_NEAR(cell_value(feature, WorleyValue::distance, a, b), d, 3e-7);
-            EXPECT_NEAR(cell_value(feature, WorleyValue::one_minus_distance, a, b),
-                        std::max(0.0, 1 - d), 3e-7);
-            EXPECT_NEAR(cell_value(feature, WorleyValue::one_minus_distance_over_sqrt3, a, b),
-                        1 - d / std::sqrt(3.0), 3e-7);
-            EXPECT_NEAR(cell_value(feature, WorleyValue::one_minus_distance_squared, a, b),
-                        std::max(0.0, 1 - d * d), 3e-7);
-        };
-        check(WorleyFeature::f1, f1);
-        check(WorleyFeature::f2, f2);
-        check(WorleyFeature::f2_minus_f1, f2 - f1);
-    }
-}
-
 TEST(NoisePlan, SharesEqualCellularOctavesAmongChannels) {
     using test::worley;
     const auto fields = [](const std::vector<config::NoiseChannel>& channels) {
@@ -120,16 +99,6 @@ TEST(NoisePlan, SharesEqualCellularOctavesAmongChannels) {
     config::NoiseChannel other_seed = worley({{4, 4, 4}});
     other_seed.seed = 1;
     EXPECT_EQ(fields({worley({{4, 4, 4}}), other_seed}), 2u);
-}
-
-TEST(NoisePlan, WeightsAreGainsOverTheirSum) {
-    config::NoiseChannel channel = test::worley({{4, 4, 4}, {8, 8, 8}, {12, 12, 12}});
-    channel.octaves.gains = {2, 1, 5};
-    const NoisePlan plan = make_noise_plan(test::noise_of({channel}), {32, 32, 32});
-    ASSERT_EQ(plan.channels[0].cells.size(), 3u);
-    EXPECT_EQ(plan.channels[0].cells[0].weight, 0.25f);
-    EXPECT_EQ(plan.channels[0].cells[1].weight, 0.125f);
-    EXPECT_EQ(plan.channels[0].cells[2].weight, 0.625f);
 }
 
 TEST(NoisePlan, NominalRangeFollowsWhatBecomesOfValues) {

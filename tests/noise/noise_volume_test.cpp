@@ -15,15 +15,12 @@ namespace {
 using config::NoiseSampling;
 
 config::Noise cloud_shape() {
-    config::Noise noise =
-        test::noise_of({test::channel_of(config::NoiseType::perlin_worley, {{3, 3, 3}, {6, 6, 6}}),
-                        test::worley({{4, 4, 4}, {8, 8, 8}}, config::WorleyFeature::f1,
-                                     config::WorleyValue::one_minus_distance),
-                        test::worley({{8, 8, 8}}, config::WorleyFeature::f1,
-                                     config::WorleyValue::one_minus_distance)});
-    const char* names[] = {"R", "G", "B"};
-    for (std::size_t c = 0; c < 3; ++c) noise.channels[c].name = names[c];
-    return noise;
+    return test::picture_of(
+        {test::channel_of(config::NoiseType::perlin_worley, {{3, 3, 3}, {6, 6, 6}}),
+         test::worley({{4, 4, 4}, {8, 8, 8}}, config::WorleyFeature::f1,
+                      config::WorleyValue::one_minus_distance),
+         test::worley({{8, 8, 8}}, config::WorleyFeature::f1,
+                      config::WorleyValue::one_minus_distance)});
 }
 
 config::NoiseVolumeBake bake_of(const std::array<int, 3>& size, int mips = 1) {
@@ -100,12 +97,8 @@ TEST(NoiseVolume, MapsCornersByHalfAVoxel) {
 }
 
 TEST(NoiseVolume, DoesNotDependOnThreads) {
-    BakeOptions one;
-    one.threads = 1;
-    BakeOptions two;
-    two.threads = 2;
-    const Baked a = baked(cloud_shape(), bake_of({33, 20, 41}, 4), one);
-    const Baked b = baked(cloud_shape(), bake_of({33, 20, 41}, 4), two);
+    const Baked a = baked(cloud_shape(), bake_of({33, 20, 41}, 4), {.threads = 1});
+    const Baked b = baked(cloud_shape(), bake_of({33, 20, 41}, 4), {.threads = 2});
     ASSERT_EQ(a.levels.size(), b.levels.size());
     for (std::size_t i = 0; i < a.levels.size(); ++i) {
         EXPECT_EQ(a.levels[i].content_hash, b.levels[i].content_hash);

@@ -69,6 +69,14 @@ inline config::Noise noise_of(std::vector<config::NoiseChannel> channels, std::u
     return noise;
 }
 
+// The same with channels that are named as those of pictures.
+inline config::Noise picture_of(std::vector<config::NoiseChannel> channels) {
+    config::Noise noise = noise_of(std::move(channels));
+    const auto names = testing::channel_names(static_cast<int>(noise.channels.size()));
+    for (std::size_t c = 0; c < names.size(); ++c) noise.channels[c].name = names[c];
+    return noise;
+}
+
 // Noises that have all kinds of channels between them.
 inline std::vector<config::Noise> noises_of_all_kinds(const std::vector<Frequency>& frequencies,
                                                       std::uint64_t seed = 7) {

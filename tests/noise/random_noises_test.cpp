@@ -22,33 +22,20 @@ double any_number(double from, double to) {
 }
 
 int any_size() {
-    switch (*rc::gen::inRange(0, 6)) {
-        case 0:
-            return 1;
-        case 1:
-            return 16 * *rc::gen::inRange(1, 6);
-        case 2:
-            return *rc::gen::element(2, 3, 5, 7, 31, 131, 257, 16384);
-        default:
-            return *rc::gen::inRange(1, 40);
-    }
+    namespace gen = rc::gen;
+    return *gen::weightedOneOf<int>(
+        {{1, gen::just(1)},
+         {1, gen::map(gen::inRange(1, 6), [](int n) { return 16 * n; })},
+         {1, gen::element(2, 3, 5, 7, 31, 131, 257, 16384)},
+         {3, gen::inRange(1, 40)}});
 }
 
 int any_frequency(int size) {
-    switch (*rc::gen::inRange(0, 8)) {
-        case 0:
-            return 1;
-        case 1:
-            return size;
-        case 2:
-            return std::max(1, size / 2);
-        case 3:
-            return std::max(1, size / 4);
-        case 4:
-            return *rc::gen::element(255, 256, 257, 300, 1000, 1048576);
-        default:
-            return *rc::gen::inRange(1, std::max(2, size));
-    }
+    namespace gen = rc::gen;
+    return *gen::weightedOneOf<int>(
+        {{4, gen::element(1, size, std::max(1, size / 2), std::max(1, size / 4))},
+         {1, gen::element(255, 256, 257, 300, 1000, 1048576)},
+         {3, gen::inRange(1, std::max(2, size))}});
 }
 
 NoiseOctaves any_octaves(const std::array<int, 3>& size) {

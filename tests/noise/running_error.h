@@ -12,6 +12,7 @@
 
 #include "bakers/noise/noise_reference.h"
 #include "config/sections/noise.h"
+#include "tests/noise/noises.h"
 
 namespace skybake::test {
 
@@ -226,6 +227,19 @@ inline std::vector<Uncertain> uncertain_noise(const config::Noise& noise,
     if (noise.pack == config::NoisePacking::detail) return {weighted(0)};
     const Uncertain gap = exactly(1) - weighted(1);
     return {(values[0] + gap) / (gap + exactly(1))};
+}
+
+// The largest error of a voxel's channels, as noise_at makes them, against the reference, as a share of
+// its bound.
+inline double error_share(const config::Noise& noise, const noise::NoisePlan& plan,
+                          const noise::Voxel& voxel) {
+    const std::vector<Uncertain> wanted = uncertain_noise(noise, place_of(plan.axes, voxel));
+    const std::vector<float> found = noise_at(plan, voxel);
+    double worst = 0;
+    for (std::size_t c = 0; c < found.size(); ++c) {
+        worst = std::max(worst, std::fabs(found[c] - wanted[c].value) / wanted[c].error);
+    }
+    return worst;
 }
 
 }  // namespace skybake::test

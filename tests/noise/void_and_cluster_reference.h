@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <vector>
 
 #include "bakers/noise/void_and_cluster.h"
@@ -17,7 +18,9 @@ class MaskReference {
   public:
     explicit MaskReference(const noise::MaskShape& shape)
         : shape_(shape), width_(shape.size[0]), height_(shape.size[1]), frames_(shape.size[2]) {
-        for (int frame = 0; frame < frames_; ++frame) chosen_.push_back(first(frame));
+        for (int frame = 0; frame < frames_; ++frame) {
+            chosen_.push_back(first(static_cast<std::size_t>(frame)));
+        }
     }
 
     // ranks[frame][pixel]
@@ -44,22 +47,23 @@ class MaskReference {
         std::uint64_t energy = 0;
     };
 
-    std::vector<int> first(int frame) const {
-        const int pixels = width_ * height_;
-        std::vector<int> chosen(static_cast<std::size_t>(pixels));
-        for (int i = 0; i < (pixels + 9) / 10; ++i) {
-            int least = -1;
-            for (int p = 0; p < pixels; ++p) {
-                if (chosen[static_cast<std::size_t>(p)] == 1) continue;
-                if (least < 0 || hash(frame, p) < hash(frame, least)) least = p;
-            }
-            chosen[static_cast<std::size_t>(least)] = 1;
-        }
+    // A tenth of the pixels, those of the least hashes.
+    std::vector<int> first(std::size_t frame) const {
+        const auto pixels = static_cast<std::size_t>(width_ * height_);
+        std::vector<std::size_t> order(pixels);
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        std::ranges::stable_sort(order, {}, [&](std::size_t pixel) {
+            return noise::first_hash(shape_.seed, frame, pixel);
+        });
+        std::vector<int> chosen(pixels);
+        for (std::size_t i = 0; i < (pixels + 9) / 10; ++i) chosen[order[i]] = 1;
         return chosen;
     }
-    std::uint64_t hash(int frame, int pixel) const {
-        return noise::first_hash(shape_.seed, static_cast<std::size_t>(frame),
-                                 static_cast<std::size_t>(pixel));
+    int& chosen(int frame, int pixel) {
+        return chosen_[static_cast<std::size_t>(frame)][static_cast<std::size_t>(pixel)];
+    }
+    int chosen(int frame, int pixel) const {
+        return chosen_[static_cast<std::size_t>(frame)][static_cast<std::size_t>(pixel)];
     }
 
     static std::uint64_t gauss(double squares, double sigma) {
@@ -72,9 +76,7 @@ class MaskReference {
         std::uint64_t sum = 0;
         const double far = 10 * shape_.spatial_sigma;
         for (int q = 0; q < width_ * height_; ++q) {
-            if (chosen_[static_cast<std::size_t>(frame)][static_cast<std::size_t>(q)] != state) {
-                continue;
-            }
+            if (chosen(frame, q) != state) continue;
             const double dx = q % width_ - pixel % width_, dy = q / width_ - pixel / width_;
             for (double y = dy - height_ * std::ceil(far / height_); y <= far; y += height_) {
                 for (double x = dx - width_ * std::ceil(far / width_); x <= far; x += width_) {
@@ -84,11 +86,7 @@ class MaskReference {
         }
         const double long_ago = 10 * shape_.temporal_sigma;
         for (int other = 0; other < frames_; ++other) {
-            if (other == frame) continue;
-            if (chosen_[static_cast<std::size_t>(other)][static_cast<std::size_t>(pixel)] !=
-                state) {
-                continue;
-            }
+            if (other == frame || chosen(other, pixel) != state) continue;
             const double dt = other - frame;
             for (double t = dt - frames_ * std::ceil(long_ago / frames_); t <= long_ago;
                  t += frames_) {
@@ -103,9 +101,7 @@ class MaskReference {
     Found extreme(int frame, int state, int by, bool greatest) const {
         Found found;
         for (int p = 0; p < width_ * height_; ++p) {
-            if (chosen_[static_cast<std::size_t>(frame)][static_cast<std::size_t>(p)] != state) {
-                continue;
-            }
+            if (chosen(frame, p) != state) continue;
             const std::uint64_t e = energy(frame, p, by);
             const bool better = greatest ? e > found.energy : e < found.energy;
             if (found.pixel < 0 || better) found = {frame, p, e};
@@ -116,12 +112,11 @@ class MaskReference {
     bool move_some() {
         bool moved = false;
         for (int frame = 0; frame < frames_; ++frame) {
-            auto& chosen = chosen_[static_cast<std::size_t>(frame)];
             const Found cluster = extreme(frame, 1, 1, true);
-            chosen[static_cast<std::size_t>(cluster.pixel)] = 0;
+            chosen(frame, cluster.pixel) = 0;
             const Found target = extreme(frame, 0, 1, false);
             const bool better = target.energy < energy(frame, cluster.pixel, 1);
-            chosen[static_cast<std::size_t>(better ? target.pixel : cluster.pixel)] = 1;
+            chosen(frame, better ? target.pixel : cluster.pixel) = 1;
             moved = moved || better;
         }
         return moved;
@@ -141,9 +136,8 @@ class MaskReference {
                 if (best.pixel < 0 || better) best = found;
             }
             const auto frame = static_cast<std::size_t>(best.frame);
-            const auto pixel = static_cast<std::size_t>(best.pixel);
-            ranks[frame][pixel] = rank;
-            chosen_[frame][pixel] = 1 - chosen_[frame][pixel];
+            ranks[frame][static_cast<std::size_t>(best.pixel)] = rank;
+            chosen(best.frame, best.pixel) = 1 - chosen(best.frame, best.pixel);
             done[frame] = true;
         }
     }

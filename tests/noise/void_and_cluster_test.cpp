@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <random>
 
 #include "bakers/assets/blue_noise/mask_figures.h"
 #include "bakers/noise/torus_energy.h"
@@ -118,19 +119,15 @@ Figures figures_of(const std::array<int, 3>& size, const std::vector<std::uint32
     return {low_power_of_frames(mask), low_power_over_time(mask)};
 }
 
-// Each frame a permutation by hash.
+// Each frame a random permutation.
 std::vector<std::uint32_t> white_ranks(const std::array<int, 3>& size) {
-    const auto pixels = static_cast<std::size_t>(size[0] * size[1]);
-    std::vector<std::uint32_t> ranks(pixels * static_cast<std::size_t>(size[2]));
-    for (std::size_t frame = 0; frame < static_cast<std::size_t>(size[2]); ++frame) {
-        std::vector<std::size_t> order(pixels);
-        std::iota(order.begin(), order.end(), std::size_t{0});
-        std::sort(order.begin(), order.end(), [frame](std::size_t a, std::size_t b) {
-            return noise::first_hash(9, frame, a) < noise::first_hash(9, frame, b);
-        });
-        for (std::size_t i = 0; i < pixels; ++i) {
-            ranks[frame * pixels + order[i]] = static_cast<std::uint32_t>(i);
-        }
+    std::vector<std::uint32_t> frame(static_cast<std::size_t>(size[0] * size[1]));
+    std::iota(frame.begin(), frame.end(), 0U);
+    std::vector<std::uint32_t> ranks;
+    std::mt19937 random(9);
+    for (int i = 0; i < size[2]; ++i) {
+        std::shuffle(frame.begin(), frame.end(), random);
+        ranks.insert(ranks.end(), frame.begin(), frame.end());
     }
     return ranks;
 }

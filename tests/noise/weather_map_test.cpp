@@ -25,18 +25,9 @@ using config::WeatherMapBake;
 
 constexpr double kTau = 2 * std::numbers::pi;
 
-config::Noise noise_of_channels(std::vector<config::NoiseChannel> channels) {
-    config::Noise noise = test::noise_of(std::move(channels));
-    const char* names[] = {"R", "G", "B", "A"};
-    for (std::size_t c = 0; c < noise.channels.size() && noise.channels.size() > 1; ++c) {
-        noise.channels[c].name = names[c];
-    }
-    return noise;
-}
-
 config::Noise two_clouds() {
-    return noise_of_channels({test::perlin({{5, 4, 1}, {10, 8, 1}}), test::perlin({{3, 3, 1}}),
-                              test::perlin({{2, 7, 1}})});
+    return test::picture_of({test::perlin({{5, 4, 1}, {10, 8, 1}}), test::perlin({{3, 3, 1}}),
+                             test::perlin({{2, 7, 1}})});
 }
 
 WeatherMapBake bake_of(const std::array<int, 2>& size, std::vector<double> covered,
@@ -55,6 +46,13 @@ WeatherMapBake bake_of(const std::array<int, 2>& size, std::vector<double> cover
 
 Baked baked(const config::Noise& noise, const WeatherMapBake& bake) {
     return test::without_diagnostics(bake_weather_map(noise, bake, {}, {}));
+}
+
+// The texels of a map that has no certificate.
+Image2<float> texels_of(const config::Noise& noise, const WeatherMapBake& bake) {
+    return test::without_diagnostics(
+               bake_weather_map(noise, bake, {.certification = Certification::off}, {}))
+        .image();
 }
 
 // The law: of N texels, round(covered N) are above 0 and round(full N) are 1, as they are stored.
@@ -164,13 +162,10 @@ TEST(WeatherMap, ConstantsAreCoveredWholeOrNotAtAll) {
     config::NoiseChannel constant;
     constant.name = "Y";
     constant.value = 0.25;
-    const config::Noise noise = noise_of_channels({constant});
+    const config::Noise noise = test::picture_of({constant});
     for (const double covered : {0.0, 1.0}) {
-        auto outcome =
-            bake_weather_map(noise, bake_of({4, 4}, {covered}, {covered}, PixelType::unorm8),
-                             {.certification = Certification::off}, Baked{});
-        ASSERT_TRUE(outcome.value.has_value());
-        for (const float value : outcome.value->image().texels) EXPECT_EQ(value, covered);
+        const auto map = texels_of(noise, bake_of({4, 4}, {covered}, {covered}, PixelType::unorm8));
+        for (const float value : map.texels) EXPECT_EQ(value, covered);
     }
     const auto refused = test::expect_refused(
         bake_weather_map(noise, bake_of({4, 4}, {0.5}, {0}, PixelType::unorm8), {}, Baked{}),
@@ -200,12 +195,10 @@ TEST(WeatherMap, AChannelYieldsToAnother) {
 
 Image2<float> wave(int size, int k, int l) {
     Image2<float> plane(size, size, 1);
-    for (int y = 0; y < size; ++y) {
-        for (int x = 0; x < size; ++x) {
-            *plane.texel(x, y) =
-                static_cast<float>(std::cos(kTau * (k * (x + 0.5) / size + l * (y + 0.5) / size)));
-        }
-    }
+    testing::for_each_texel(size, size, [&](int x, int y) {
+        *plane.texel(x, y) =
+            static_cast<float>(std::cos(kTau * (k * (x + 0.5) / size + l * (y + 0.5) / size)));
+    });
     return plane;
 }
 
@@ -267,19 +260,17 @@ TEST(WeatherMap, StreaksAreThoseOfTheReference) {
 
 TEST(WeatherMap, OneTexelIsCoveredOrNot) {
     for (const double covered : {0.0, 0.4, 0.6, 1.0}) {
-        auto outcome = bake_weather_map(noise_of_channels({test::perlin({{1, 1, 1}})}),
-                                        bake_of({1, 1}, {covered}, {0}, PixelType::unorm8),
-                                        {.certification = Certification::off}, Baked{});
-        ASSERT_TRUE(outcome.value.has_value()) << covered;
-        EXPECT_EQ(outcome.value->image().texels.front(), covered < 0.5 ? 0.0F : 1.0F);
+        const auto map = texels_of(test::picture_of({test::perlin({{1, 1, 1}})}),
+                                   bake_of({1, 1}, {covered}, {0}, PixelType::unorm8));
+        EXPECT_EQ(map.texels.front(), covered < 0.5 ? 0.0F : 1.0F);
     }
 }
 
 TEST(WeatherMap, DirectionsHaveLengthOne) {
     const config::Noise noise =
-        noise_of_channels({test::curl({{4, 4, 4}}, config::CurlComponent::x),
-                           test::curl({{4, 4, 4}}, config::CurlComponent::y),
-                           test::curl({{4, 4, 4}}, config::CurlComponent::z)});
+        test::picture_of({test::curl({{4, 4, 4}}, config::CurlComponent::x),
+                          test::curl({{4, 4, 4}}, config::CurlComponent::y),
+                          test::curl({{4, 4, 4}}, config::CurlComponent::z)});
     WeatherMapBake bake = bake_of({32, 32}, {1, 1, 1}, {0, 0, 0}, PixelType::float32);
     bake.content = WeatherContent::directions;
     const Baked map = baked(noise, bake);
@@ -299,12 +290,10 @@ TEST(WeatherMap, DirectionsHaveLengthOne) {
 
 TEST(WeatherMap, NoDirectionIsTheMiddle) {
     config::NoiseChannel nothing;
-    const config::Noise noise = noise_of_channels({nothing, nothing, nothing});
+    const config::Noise noise = test::picture_of({nothing, nothing, nothing});
     WeatherMapBake bake = bake_of({4, 4}, {1, 1, 1}, {0, 0, 0}, PixelType::float32);
     bake.content = WeatherContent::directions;
-    auto outcome = bake_weather_map(noise, bake, {.certification = Certification::off}, Baked{});
-    ASSERT_TRUE(outcome.value.has_value());
-    for (const float value : outcome.value->image().texels) EXPECT_EQ(value, 0.5F);
+    for (const float value : texels_of(noise, bake).texels) EXPECT_EQ(value, 0.5F);
 }
 
 TEST(WeatherMap, SaysWhereSamplesLie) {

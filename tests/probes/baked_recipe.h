@@ -5,6 +5,7 @@
 #include <string>
 
 #include "tests/incremental/bakes.h"
+#include "tests/support/probe_place.h"
 #include "tests/support/recipes.h"
 
 namespace skybake::testing {
@@ -37,12 +38,6 @@ inline const BakedRecipe& every_asset() {
     return baked;
 }
 
-// A coordinate of a probe by its name.
-inline double at(const Probe& probe, const std::string& name) {
-    for (const auto& [key, value] : probe.at) {
-        if (key == name) return value;
-    }
-    throw std::out_of_range(name);
-}
+using test::at;
 
 }  // namespace skybake::testing
