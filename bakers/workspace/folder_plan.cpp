@@ -187,8 +187,7 @@ std::vector<PlannedIntermediate> FolderPlan::intermediates() const {
 double FolderPlan::memory_mib() const {
     const PlannedAsset* largest = largest_asset(*this);
     if (!largest) return 0;
-    constexpr double kMibOfThread = 6;  // measured, rounded up
-    double held = kMibOfThread * threads;
+    double held = kProgramMib + kThreadMib * threads;
     for (const PlannedAsset& asset : assets) {
         if (asset.stale() && &asset != largest && config::kind_of(*asset.bake).facts.is_table) {
             held += asset.estimate.disk_mib;

@@ -15,9 +15,6 @@ using Size = std::array<int, 3>;
 
 namespace {
 
-// The program with its modules takes so much (measured, rounded up).
-constexpr double kProgramMib = 64;
-
 // Seconds to store a byte, measured with deflate, with the faster one of EXR files, and without.
 double seconds_per_byte(config::FileFormat format, const AssetFiles& files) {
     constexpr double kDeflate = 2e-8;
@@ -90,7 +87,7 @@ Estimate estimate_texels(const AssetFiles& files, const std::array<int, 2>& size
     const std::array<int, 2> held = texels > 0 ? size : largest_table(size[1] == 1);
     const double values = static_cast<double>(held[0]) * held[1] * held_channels;
     result.memory_mib =
-        kProgramMib + (values * (sizeof(double) + sizeof(float)) + stored_bytes(held)) / kMebibyte;
+        (values * (sizeof(double) + sizeof(float)) + stored_bytes(held)) / kMebibyte;
     result.disk_mib = stored_bytes(size) * static_cast<double>(files.formats.size()) / kMebibyte;
     return result;
 }
@@ -113,8 +110,7 @@ Estimate estimate_volume(const AssetFiles& files, const Size& size, std::size_t 
     const double values = static_cast<double>(boxes.largest_count()) *
                           static_cast<double>(channels) * std::min(box_slots(0), boxes.count());
     // The libraries of files take as much again to pack them (measured, rounded up).
-    result.memory_mib =
-        kProgramMib + 2 * values * (4.0 + bytes_per_value(files.pixel_type)) / kMebibyte;
+    result.memory_mib = 2 * values * (4.0 + bytes_per_value(files.pixel_type)) / kMebibyte;
     result.disk_mib = bytes * formats / kMebibyte;
     return result;
 }

@@ -14,7 +14,7 @@ namespace skybake {
 struct Estimate {
     std::vector<int> size;  // 0 x 0 if max_error chooses it
     double seconds = 0;     // on one thread of a machine of 2022
-    double memory_mib = 0;
+    double memory_mib = 0;  // without the program's own
     double disk_mib = 0;
 };
 

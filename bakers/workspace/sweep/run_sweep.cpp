@@ -201,8 +201,10 @@ class SweepRunner {
     // A variant that is too large on its own has already failed when it was planned.
     bool has_memory_for(const PlannedVariant& variant) const {
         const double kept_mib = static_cast<double>(intermediates_.kept_bytes()) / kMebibyte;
+        // Variants share the program, which each of them counts.
+        const double needed_mib = memory_mib_ + variant.memory_mib - running_ * kProgramMib;
         return running_ == 0 || !job_.memory_limit_mib ||
-               memory_mib_ + variant.memory_mib + kept_mib <= *job_.memory_limit_mib;
+               needed_mib + kept_mib <= *job_.memory_limit_mib;
     }
 
     void work(int threads) {
