@@ -42,17 +42,7 @@ struct ComplexNumber {
     double imaginary = 0;
 };
 
-inline ComplexNumber operator+(ComplexNumber a, ComplexNumber b) {
-    return {a.real + b.real, a.imaginary + b.imaginary};
-}
-inline ComplexNumber operator-(ComplexNumber a, ComplexNumber b) {
-    return {a.real - b.real, a.imaginary - b.imaginary};
-}
 inline ComplexNumber operator*(double a, ComplexNumber b) { return {a * b.real, a * b.imaginary}; }
-inline ComplexNumber operator*(ComplexNumber a, ComplexNumber b) {
-    return {a.real * b.real - a.imaginary * b.imaginary,
-            a.real * b.imaginary + a.imaginary * b.real};
-}
 inline ComplexNumber conjugate(ComplexNumber a) { return {a.real, -a.imaginary}; }
 inline double squared_modulus(ComplexNumber a) {
     return a.real * a.real + a.imaginary * a.imaginary;
@@ -79,7 +69,6 @@ struct MieEfficiencies {
     double extinction = 0;  // scattering + absorption: never below scattering
     double scattering = 0;
     double absorption = 0;
-    double backscatter = 0;  // 4 pi dC_sca/dOmega at 180 degrees, radar's
     double mean_cosine = 0;  // of the scattering angle, "g"
 };
 
@@ -108,9 +97,8 @@ struct MieEfficiencies {
 // even n, of c_n (a_n - b_n), for n = 1 and on.
 using MieTerms = std::vector<std::array<double, 4>>;
 
-// Computes the terms and the efficiencies, but for backscatter, of many spheres at once: the same
-// bits as plain code gives one by one (tests/support/plain_mie.h). Spheres of like size should be
-// neighbours. All spans have the same length.
+// Computes the terms and the efficiencies of many spheres at once: the same bits as for each by itself. Spheres
+// of like size should be neighbours. All spans have the same length.
 void mie_series(std::span<const double> size_parameters, ComplexNumber refractive_index,
                 std::span<MieTerms> terms, std::span<MieEfficiencies> efficiencies);
 

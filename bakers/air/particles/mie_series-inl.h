@@ -39,8 +39,7 @@ HWY_INLINE Lanes squared(ComplexLanes a) { return real_product(a, a); }
 
 using PerLane = std::array<double, Lanes::kCount>;
 
-// One sphere for each lane. The steps are those of tests/support/plain_mie.cpp;
-// each lane starts and ends where its own sphere does.
+// One sphere for each lane, which starts and ends where its own sphere does.
 struct LaneSpheres {
     PerLane x{}, sine{}, cosine{};
     PerLane count{}, upward{};                     // of terms; of steps of psi upwards
