@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <cstddef>
 #include <numbers>
 #include <vector>
@@ -60,20 +61,20 @@ BENCHMARK(kernel);
             for (std::size_t i = 0; i < terms.size(); ++i) {
                 const double n = static_cast<double>(i) + 1;
                 const double sign = i % 2 == 0 ? 0.5 : -0.5;
-                const ComplexNumber sum = {0.5 * terms[i][0], 0.5 * terms[i][1]};
-                const ComplexNumber difference = {sign * terms[i][2], sign * terms[i][3]};
-                const ComplexNumber a = sum + difference;
-                const ComplexNumber b = sum - difference;
+                const std::complex sum(0.5 * terms[i][0], 0.5 * terms[i][1]);
+                const std::complex difference(sign * terms[i][2], sign * terms[i][3]);
+                const std::complex a = sum + difference;
+                const std::complex b = sum - difference;
                 for (std::size_t j = 0; j < kAtOnce; ++j) {
                     const double tau = n * mu[j] * pi[j] - (n + 1) * before[j];
-                    s1[i % 2][0][j] += a.real * pi[j];
-                    s1[i % 2][1][j] += a.imaginary * pi[j];
-                    s2[i % 2][0][j] += b.real * pi[j];
-                    s2[i % 2][1][j] += b.imaginary * pi[j];
-                    s1[1 - i % 2][0][j] += b.real * tau;
-                    s1[1 - i % 2][1][j] += b.imaginary * tau;
-                    s2[1 - i % 2][0][j] += a.real * tau;
-                    s2[1 - i % 2][1][j] += a.imaginary * tau;
+                    s1[i % 2][0][j] += a.real() * pi[j];
+                    s1[i % 2][1][j] += a.imag() * pi[j];
+                    s2[i % 2][0][j] += b.real() * pi[j];
+                    s2[i % 2][1][j] += b.imag() * pi[j];
+                    s1[1 - i % 2][0][j] += b.real() * tau;
+                    s1[1 - i % 2][1][j] += b.imag() * tau;
+                    s2[1 - i % 2][0][j] += a.real() * tau;
+                    s2[1 - i % 2][1][j] += a.imag() * tau;
                     const double next = (2 * n + 1) / n * mu[j] * pi[j] - (n + 1) / n * before[j];
                     before[j] = pi[j];
                     pi[j] = next;
