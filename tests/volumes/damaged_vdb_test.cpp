@@ -26,6 +26,7 @@ namespace io = openvdb::io;
 struct Original {
     config::VolumeFormat format = config::VolumeFormat::vdb;
     std::string bytes;
+    std::string grid = {};
 };
 
 // The library's file of leaves of codes.
@@ -53,7 +54,8 @@ std::vector<Original> nvdb_originals(const TemporaryFolder& folder) {
     return all;
 }
 
-// Files of OpenVDB's writer in all compressions, as float and half, and a sparse file of our own.
+// Files of OpenVDB's writer in all compressions, as float and half, of numbers and of vectors, and a sparse file
+// of our own.
 std::vector<Original> vdb_originals(const TemporaryFolder& folder) {
     std::vector<Original> all;
     const auto add = [&] {
@@ -68,6 +70,17 @@ std::vector<Original> vdb_originals(const TemporaryFolder& folder) {
               io::COMPRESS_BLOSC | std::uint32_t{io::COMPRESS_ACTIVE_MASK}}) {
             testing::write_grid(grid, folder / "v.vdb", compression);
             add();
+            const auto flow = openvdb::Vec3SGrid::create();
+            flow->setName("flow");
+            flow->setSaveFloatAsHalf(half);
+            flow->tree().topologyUnion(grid->tree());
+            for (auto value = flow->beginValueOn(); value; ++value) {
+                const float density = grid->tree().getValue(value.getCoord());
+                value.setValue({density, -density, 1});
+            }
+            testing::write_grid(flow, folder / "v.vdb", compression);
+            add();
+            all.back().grid = "flow.x";
         }
     }
     Baked own =
@@ -117,6 +130,7 @@ Tally read_damaged(const TemporaryFolder& folder, const std::vector<Original>& f
         const std::uint64_t seed = first_seed + static_cast<std::uint64_t>(i);
         const Original& original = files[seed % files.size()];
         volume.format = original.format;
+        volume.grid = original.grid;
         testing::write_bytes(volume.path, damaged(original.bytes, seed));
         const double begin = processor_seconds();
         const auto source = open_volume(volume);
@@ -171,6 +185,7 @@ TEST(DamagedVdb, IsRefusedWhereverItEnds) {
     volume.path = folder / "cut.vdb";
     for (const Original& original : vdb_originals(folder)) {
         const std::string& bytes = original.bytes;
+        volume.grid = original.grid;
         for (std::size_t size = 0; size < bytes.size(); size += 1 + bytes.size() / 40) {
             testing::write_bytes(volume.path, bytes.substr(0, size));
             const auto source = open_volume(volume);
