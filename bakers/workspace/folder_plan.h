@@ -87,8 +87,9 @@ struct PlannedIntermediate {
 // Notes that `user` has a need. All needs of a user follow each other.
 void add_need(const Need& need, const std::string& user, std::vector<PlannedIntermediate>& plan);
 
-// The program takes so much with its modules, and so much for each thread (measured, rounded up).
-inline constexpr double kProgramMib = 64;
+// The program takes so much with its modules and the light that it solves for, and so much for each thread
+// (measured, rounded up).
+inline constexpr double kProgramMib = 80;
 inline constexpr double kThreadMib = 6;
 
 struct FolderPlan {
