@@ -15,7 +15,6 @@ asset = "transmittance"
 size = [16, 8]
 [bake."light_2"]
 asset = "multiple_scattering"
-method = "converged"
 mapping = "hillaire"
 size = [4, 4]
 [noise.cells]
