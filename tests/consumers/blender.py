@@ -66,7 +66,7 @@ def velocity_of(bpy, vdb):
     bpy.ops.object.volume_import(filepath=vdb)
     flow = bpy.context.object.data
     flow.grids.load()
-    return flow.velocity_x_grid, flow.velocity_y_grid, flow.velocity_z_grid
+    return flow.velocity_grid, flow.grids[flow.velocity_grid].data_type
 
 
 def main():
@@ -82,7 +82,7 @@ def main():
                               "--python", __file__, "--", volume.path("vdb"), str(picture),
                               flow.path("vdb"))
     print(text)
-    velocity = ("velocity", "", "")  # one grid of vectors
+    velocity = ("velocity", "VECTOR_FLOAT")
     failures.expect(f"velocity: {velocity}" in text, True, "whether Blender finds the velocity")
     failures.expect(f"grids: {volume.grids()}" in text, True, "whether Blender lists the grids")
     pixels = re.search(r"^pixels: (\d+), of (\d+) values", text, re.MULTILINE)

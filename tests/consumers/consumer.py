@@ -76,6 +76,13 @@ class Volume:
     def grids(self):
         return self.file("vdb")["grids"]
 
+    def vdb_grids(self):
+        """The grids of the VDB file with the channels of each: `v` has `v.x`, `v.y` and `v.z`."""
+        grids = {}
+        for channel, name in enumerate(self.grids()):
+            grids.setdefault(name.removesuffix("." + name[-1]), []).append(channel)
+        return grids
+
     def statistics(self):
         return self.asset["statistics"]
 

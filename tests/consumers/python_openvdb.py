@@ -33,10 +33,13 @@ def repeating_axes(mapping):
     return {"tile": [True] * 3, "layer": [True, True, False]}.get(mapping, [False] * 3)
 
 
-def check_grid(failures, volume, channel, grid, values):
+def check_grid(failures, volume, channels, grid, values):
+    """`values` are numbers, or vectors of three channels."""
     what = f"{volume.name}, {grid.name}"
-    failures.expect(grid.gridClass, "fog volume", f"{what}: the class")
-    failures.expect(grid.background, 0.0, f"{what}: the background")
+    is_vector = len(channels) > 1
+    zero = (0.0,) * 3 if is_vector else 0.0
+    failures.expect(grid.gridClass, "unknown" if is_vector else "fog volume", f"{what}: the class")
+    failures.expect(grid.background, zero, f"{what}: the background")
     failures.expect(grid.saveFloatAsHalf, True, f"{what}: whether it holds halves")
     failures.expect(grid["skybake/size"], tuple(volume.size), f"{what}: the size")
     failures.expect(grid["file_voxel_count"], grid.activeVoxelCount(), f"{what}: the count")
@@ -49,16 +52,22 @@ def check_grid(failures, volume, channel, grid, values):
             for x in range(width):
                 value, is_active = accessor.probeValue((x, y, z))
                 differing += value != values[index]
-                misjudged += is_active != (values[index] != 0)
+                misjudged += is_active != (values[index] != zero)
                 index += 1
     failures.expect(differing, 0, f"{what}: the number of voxels of another value")
     failures.expect(misjudged, 0, f"{what}: the number of voxels wrongly active or inactive")
-    failures.expect(grid.activeVoxelCount(), sum(v != 0 for v in values), f"{what}: active voxels")
+    failures.expect(grid.activeVoxelCount(), sum(v != zero for v in values), f"{what}: active voxels")
 
     repeats = repeating_axes(volume.asset["mapping"]["name"])
     for probe in volume.asset["probes"]:
-        value = trilinear(accessor.getValue, volume.size, probe["uvw"], repeats)
-        failures.expect_near(value, probe["value"][channel], 1e-6, f"{what}: at {probe['uvw']}")
+        for i, channel in enumerate(channels):
+            def component(voxel):
+                return accessor.getValue(voxel)[i] if is_vector else accessor.getValue(voxel)
+
+            value = trilinear(component, volume.size, probe["uvw"], repeats)
+            failures.expect_near(
+                value, probe["value"][channel], 1e-6, f"{what}: at {probe['uvw']}"
+            )
 
     first = grid.transform.indexToWorld((0, 0, 0))
     next_ = grid.transform.indexToWorld((1, 1, 1))
@@ -76,10 +85,13 @@ def main():
         entry = json.loads(metadata["skybake/asset"])
         failures.expect(entry["content_hash"], volume.asset["content_hash"], "the hash")
         names = [grid.name for grid in grids]
-        failures.expect(sorted(names), sorted(volume.grids()), f"{volume.name}: the grids")
+        failures.expect(sorted(names), sorted(volume.vdb_grids()), f"{volume.name}: the grids")
         voxels = volume.voxels()
-        for channel, name in enumerate(volume.grids()):
-            check_grid(failures, volume, channel, grids[names.index(name)], voxels[channel])
+        for name, channels in volume.vdb_grids().items():
+            values = voxels[channels[0]]
+            if len(channels) > 1:
+                values = list(zip(*(voxels[channel] for channel in channels)))
+            check_grid(failures, volume, channels, grids[names.index(name)], values)
     failures.exit()
 
 

@@ -22,17 +22,19 @@ def main():
         # By name, whatever their order in the file.
         found = {grid.splitlines()[0]: grid for grid in grids}
         failures.expect(
-            sorted(found), sorted(volume.grids()), f"the list of grids of {volume.name}"
+            sorted(found), sorted(volume.vdb_grids()), f"the list of grids of {volume.name}"
         )
-        for name, values in zip(volume.grids(), volume.voxels()):
+        voxels = volume.voxels()
+        for name, channels in volume.vdb_grids().items():
             grid = found.get(name, "")
-            active = sum(value != 0 for value in values)
+            active = sum(any(values) for values in zip(*(voxels[channel] for channel in channels)))
+            is_vector = len(channels) > 1
             for name, wanted in {
-                "Type": "Tree_float_5_4_3",
-                "Background value": "0",
+                "Type": "Tree_vec3s_5_4_3" if is_vector else "Tree_float_5_4_3",
+                "Background value": "[0, 0, 0]" if is_vector else "0",
                 "Number of active voxels": f"{active:,}",
                 "Number of active tiles": "0",
-                "class": "fog volume",
+                "class": None if is_vector else "fog volume",
                 "file_voxel_count": str(active),
                 "is_saved_as_half_float": "true",
                 "skybake/size": str(volume.size),
