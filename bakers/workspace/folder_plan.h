@@ -90,7 +90,7 @@ void add_need(const Need& need, const std::string& user, std::vector<PlannedInte
 // The program takes so much with its modules and the light that it solves for, and so much for each thread
 // (measured, rounded up).
 inline constexpr double kProgramMib = 80;
-inline constexpr double kThreadMib = 6;
+inline constexpr double kThreadMib = 16;
 
 struct FolderPlan {
     OutputFolder folder;
