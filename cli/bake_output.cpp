@@ -60,11 +60,8 @@ Json file_event(const FinishedAsset& asset, std::size_t i, const std::filesystem
                                  {"rms", entry.error->lookup.rms}};
         event["texel_error"] = {{"max", entry.error->texel.max}, {"rms", entry.error->texel.rms}};
     }
-    for (const ManifestWarning& warning : entry.warnings) {
-        event["warnings"].push_back({{"code", warning.code},
-                                     {"message", warning.message},
-                                     {"advice", warning.advice},
-                                     {"key", warning.key}});
+    for (const Diagnostic& warning : entry.warnings) {
+        event["warnings"].push_back(warning_json(warning));
     }
     return event;
 }

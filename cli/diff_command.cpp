@@ -141,23 +141,27 @@ void compare_bytes(const fs::path& first, const fs::path& second, Comparison& co
     append(b.diagnostics, comparison.diagnostics);
     if (!a.value || !b.value) return;
     FileDifference file{second.filename().string(), "", {}};
-    const bool is_same = a.value->bytes == b.value->bytes && a.value->xxh3 == b.value->xxh3;
-    if (!is_same && has_grids(first) && has_grids(second)) {
+    if (a.value->bytes == b.value->bytes && a.value->xxh3 == b.value->xxh3) {
+        comparison.files.push_back(std::move(file));
+        return;
+    }
+    if (is_radiance(first) && is_radiance(second)) {
+        return compare_opened(
+            compared_radiance(first), compared_radiance(second),
+            [](const ComparedImage& image) { return image; }, file.name, comparison);
+    }
+    const bool have_grids = has_grids(first) && has_grids(second);
+    const auto one = have_grids ? std::nullopt : listed_file(first);
+    const auto other = one ? listed_file(second) : std::nullopt;
+    if (other) return compare_levels(*one, *other, comparison);
+    if (have_grids) {
         auto difference = compare_volumes(first, second);
         append(difference.diagnostics, comparison.diagnostics);
         if (!difference.value) return;
         file.image = std::move(*difference.value);
-    } else if (!is_same && is_radiance(first) && is_radiance(second)) {
-        return compare_opened(
-            compared_radiance(first), compared_radiance(second),
-            [](const ComparedImage& image) { return image; }, file.name, comparison);
-    } else if (const auto one = is_same ? std::nullopt : listed_file(first),
-               other = one ? listed_file(second) : std::nullopt;
-               other) {
-        return compare_levels(*one, *other, comparison);
     } else if (a.value->bytes != b.value->bytes) {
         file.image.layout = fmt::format("{} bytes against {}", a.value->bytes, b.value->bytes);
-    } else if (!is_same) {
+    } else {
         file.image.layout =
             "the bytes differ; only values of EXR, VDB, NanoVDB and HDR files are compared "
             "without a manifest that lists them";

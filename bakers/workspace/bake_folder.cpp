@@ -181,10 +181,10 @@ class FolderMaker {
     }
 
     void repeat_warnings(const ManifestAsset& entry, const Bake& bake) {
-        std::vector<Diagnostic> warnings;
-        for (const ManifestWarning& said : entry.warnings) {
-            warnings.push_back(diagnosis(said.code, said.message, said.advice, said.key));
-            add_recipe_place(*bake_.recipe, bake, warnings.back());
+        std::vector<Diagnostic> warnings = entry.warnings;
+        for (Diagnostic& warning : warnings) {
+            warning.severity = config::Severity::warning;
+            add_recipe_place(*bake_.recipe, bake, warning);
         }
         stop(std::move(warnings));
     }
@@ -207,10 +207,8 @@ class FolderMaker {
         ManifestAsset entry = describe_with_files(*baked.value);
         entry.timing.bake = seconds;
         entry.timing.threads = thread_count(bake_.threads);
-        for (Diagnostic& said : baked.diagnostics) {
-            entry.warnings.push_back({std::move(said.code), std::move(said.message),
-                                      std::move(said.label), std::move(said.key)});
-        }
+        entry.warnings = std::move(baked.diagnostics);
+        for (Diagnostic& warning : entry.warnings) warning.where = {};
         sign(planned.identity, entry);
         prepared_[i] = PreparedAsset{std::move(*baked.value), std::move(entry)};
         return true;

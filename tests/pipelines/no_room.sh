@@ -106,9 +106,9 @@ for keys in '[bake.transmittance]\nsize = [2048, 1024]' '[bake.transmittance]\nm
     '[bake.multiple_scattering]\nmax_error = 0.05' '[bake.sky_view]\nsun_elevations = ["9 deg"]\n[bake.irradiance]'; do
     printf 'preset = "earth"\nwavelengths = "best 4"\n%b\n' "$keys" >memory.toml
     for threads in 1 16; do
-        bake=("$program" bake memory.toml -o memory -q -j "$threads")
-        said=$("${bake[@]}" --max-memory 1KiB 2>&1 | sed -En 's/.*may need ([0-9]+).* MiB of memory.*/\1/p') || true
-        peak=$(peak_mib "${bake[@]}" --max-memory "$((said + 1))MiB")
+        command=("$program" bake memory.toml -o memory -q -j "$threads")
+        said=$("${command[@]}" --max-memory 1KiB 2>&1 | sed -En 's/.*may need ([0-9]+).* MiB of memory.*/\1/p') || true
+        peak=$(peak_mib "${command[@]}" --max-memory "$((said + 1))MiB")
         ((peak <= said)) || fail "$peak MiB taken, $said said: $keys"
         echo "memory: $peak MiB of $said with $threads threads: $keys"
         rm -r memory

@@ -105,9 +105,9 @@ namespace fs = std::filesystem;
 constexpr std::int64_t most_compared = 16384;  // along an axis
 
 bool holds_numbers(const VdbGrid& grid) {
-    constexpr std::array<std::string_view, 7> types = {"float", "half", "double", "int32",
-                                                       "int64", "fp8",  "fp16"};
-    return grid.is_vector || std::find(types.begin(), types.end(), grid.value_type) != types.end();
+    constexpr std::array<std::string_view, 8> types = {"float", "half", "double", "int32",
+                                                       "int64", "fp8",  "fp16",   "vec3s"};
+    return std::find(types.begin(), types.end(), grid.value_type) != types.end();
 }
 
 std::map<std::string, const VdbGrid*> grids_by_channel(const VdbFile& file) {
@@ -157,6 +157,14 @@ std::string apart(const FileVoxels& first, const FileVoxels& second, VoxelBox& b
     return "";
 }
 
+// Returns a voxel of a box by its number, x fastest, then y, then z.
+std::vector<int> voxel_at(const VoxelBox& box, std::int64_t number) {
+    const std::int64_t row = number / box.size[0];
+    return {box.origin[0] + static_cast<int>(number % box.size[0]),
+            box.origin[1] + static_cast<int>(row % box.size[1]),
+            box.origin[2] + static_cast<int>(row / box.size[1])};
+}
+
 ChannelDifference compare_voxels(const FileVoxels& first, const FileVoxels& second,
                                  const VoxelBox& box) {
     constexpr int edge = 128;  // of a node
@@ -173,13 +181,7 @@ ChannelDifference compare_voxels(const FileVoxels& first, const FileVoxels& seco
         first.voxels->fill(part, {a.data()});
         second.voxels->fill(part, {b.data()});
         for (std::size_t i = 0; i < count; ++i) {
-            sum.add(a[i], b[i], [&] {
-                const auto at = static_cast<int>(i);
-                const int row = at / part.size[0];
-                return std::vector{part.origin[0] + at % part.size[0],
-                                   part.origin[1] + row % part.size[1],
-                                   part.origin[2] + row / part.size[1]};
-            });
+            sum.add(a[i], b[i], [&] { return voxel_at(part, static_cast<std::int64_t>(i)); });
         }
         return true;
     });
@@ -295,10 +297,10 @@ config::Outcome<ImageDifference> compare_listed(const ListedFile& first, const L
         difference.layout = fmt::format("{} against {}", shape_of(first), shape_of(second));
         return {std::move(difference), {}};
     }
-    const std::array<int, 3> size =
-        first.asset.levels[static_cast<std::size_t>(first.file.level + level)].size;
+    const VoxelBox box{{},
+                       first.asset.levels[static_cast<std::size_t>(first.file.level + level)].size};
     const std::size_t channels = first.asset.channels.size();
-    std::vector<float> held(static_cast<std::size_t>(VoxelBox{{}, size}.count()) * channels);
+    std::vector<float> held(static_cast<std::size_t>(box.count()) * channels);
     std::vector<DifferenceSum> sums(channels);
     const auto at = [channels](std::int64_t voxel) {
         return static_cast<std::size_t>(voxel) * channels;
@@ -310,11 +312,7 @@ config::Outcome<ImageDifference> compare_listed(const ListedFile& first, const L
     const auto compare = [&](std::int64_t begin, std::int64_t count, const float* values) {
         for (std::size_t i = 0; i < at(count); ++i) {
             sums[i % channels].add(held[at(begin) + i], values[i], [&] {
-                const auto voxel = begin + static_cast<std::int64_t>(i / channels);
-                const std::int64_t row = voxel / size[0];
-                return std::vector{static_cast<int>(voxel % size[0]),
-                                   static_cast<int>(row % size[1]),
-                                   static_cast<int>(row / size[1])};
+                return voxel_at(box, begin + static_cast<std::int64_t>(i / channels));
             });
         }
         return true;

@@ -44,14 +44,6 @@ struct ManifestInput {
     std::string xxh3;  // xxh3_hex of its bytes
 };
 
-// A warning of an asset's bake, which a copy from a cache repeats.
-struct ManifestWarning {
-    std::string code;  // "W0214"
-    std::string message;
-    std::string advice;
-    std::string key;  // of the asset's section; empty: it speaks of the asset
-};
-
 // Wall times, which are the only part of a bake's output that changes from run to run.
 struct Timing {
     BakeSeconds bake;
@@ -94,7 +86,7 @@ struct ManifestAsset {
     std::string key;
     std::string certification;  // "quick", "full", "off"
     std::vector<ManifestInput> inputs;
-    std::vector<ManifestWarning> warnings;
+    std::vector<config::Diagnostic> warnings;  // of its bake, without places
 
     double seam_error = 0;  // of volumes: largest difference of voxels 0 and `size`
 
@@ -126,6 +118,9 @@ struct Manifest {
 
 // Returns an empty manifest of this release for a recipe.
 Manifest new_manifest(const Recipe& recipe);
+
+// Returns a warning as an asset's entry holds it.
+nlohmann::ordered_json warning_json(const config::Diagnostic& warning);
 
 // Returns error.sky of an asset's entry.
 nlohmann::ordered_json sky_error_json(const SkyError& error);

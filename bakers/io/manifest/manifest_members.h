@@ -52,8 +52,8 @@ void members(auto& form, Is<ManifestInput> auto& input) {
     form("file", input.file, "xxh3", input.xxh3);
 }
 
-void members(auto& form, Is<ManifestWarning> auto& warning) {
-    form("code", warning.code, "message", warning.message, "advice", warning.advice, "key",
+void members(auto& form, Is<config::Diagnostic> auto& warning) {
+    form("code", warning.code, "message", warning.message, "advice", warning.label, "key",
          warning.key);
 }
 

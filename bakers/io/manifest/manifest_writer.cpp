@@ -160,6 +160,10 @@ std::string text_of(const Json& json, int indent) {
 
 Json sky_error_json(const SkyError& error) { return MemberWriter::object_of(error, false); }
 
+Json warning_json(const config::Diagnostic& warning) {
+    return MemberWriter::object_of(warning, false);
+}
+
 std::string manifest_json(const Manifest& manifest) {
     Json assets = Json::array();
     for (const ManifestAsset& asset : manifest.assets) assets.push_back(to_json(asset));

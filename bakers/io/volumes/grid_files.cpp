@@ -18,6 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+bool holds_vectors(const VdbGrid& grid) { return grid.value_type == "vec3s"; }
+
 bool is_nanovdb(const fs::path& path) {
     Outcome<FileInput> file = FileInput::open(path);
     return file.value && file_part(*file.value, 0, 7) == "NanoVDB";
@@ -52,7 +54,7 @@ bool has_grids(const fs::path& path) {
 }
 
 std::vector<std::string> channels_of(const VdbGrid& grid) {
-    if (!grid.is_vector) return {grid.name};
+    if (!holds_vectors(grid)) return {grid.name};
     return {grid.name + ".x", grid.name + ".y", grid.name + ".z"};
 }
 
@@ -73,7 +75,9 @@ Outcome<FileFacts> inspect_grids(const fs::path& path) {
     for (const VdbGrid& grid : file.value->grids) {
         const std::vector<std::string> channels = channels_of(grid);
         facts.names.insert(facts.names.end(), channels.begin(), channels.end());
-        const std::string own = !grid.is_vector ? grid.value_type : grid.half ? "half" : "float";
+        const std::string own = !holds_vectors(grid) ? grid.value_type
+                                : grid.half          ? "half"
+                                                     : "float";
         if (type.empty()) type = own;
         if (own != type) return damaged_file(path, "VDB", "its grids are of different types");
     }

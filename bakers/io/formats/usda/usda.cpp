@@ -92,14 +92,16 @@ std::string usd_scene(const Baked& volume) {
         text += fmt::format("    rel field:{0} = </{1}/{0}>\n", usd_identifier(grid.name), prim);
     }
     const std::string path = file_path(vdb_files(volume, scene), volume.frames > 0);
+    const std::string number = volume.pixel_type == config::PixelType::half ? "half" : "float";
     for (const VdbGridChannels& grid : grids) {
+        const bool is_vector = grid.count > 1;
         text += fmt::format(
             "\n    def OpenVDBAsset \"{}\"\n    {{\n{}"
             "        token fieldName = \"{}\"\n        token fieldClass = \"{}\"\n"
-            "        token fieldDataType = \"{}{}\"\n    }}\n",
-            usd_identifier(grid.name), path, grid.name, grid.count == 1 ? "fogVolume" : "unknown",
-            volume.pixel_type == config::PixelType::half ? "half" : "float",
-            grid.count == 1 ? "" : "3\"\n        token vectorDataRoleHint = \"Vector");
+            "        token fieldDataType = \"{}\"\n{}    }}\n",
+            usd_identifier(grid.name), path, grid.name, is_vector ? "unknown" : "fogVolume",
+            is_vector ? number + "3" : number,
+            is_vector ? "        token vectorDataRoleHint = \"Vector\"\n" : "");
     }
     text += "}\n";
     return volume.up_axis == "+z" ? text + camera_text(volume) : text;

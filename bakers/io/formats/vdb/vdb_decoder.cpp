@@ -4,7 +4,6 @@
 #include <openvdb/io/GridDescriptor.h>
 #include <openvdb/io/io.h>
 
-#include "bakers/io/formats/vdb/vdb_grid_tree.h"
 #include "bakers/io/formats/vdb/vdb_input.h"
 
 namespace skybake::vdb {
@@ -29,7 +28,6 @@ VdbGrid describe(const Grid& head) {
     described.name = io::GridDescriptor::nameAsString(head.descriptor.uniqueName());
     described.half = head.descriptor.saveFloatAsHalf();
     described.type = grid.type();
-    described.is_vector = is_of_vectors(head);
     described.value_type = value_type_of(grid, described.half);
     described.grid_class = GridBase::gridClassToString(grid.getGridClass());
     described.compression = io::compressionToString(head.compression);

@@ -80,7 +80,6 @@ struct VdbGrid {
     std::array<std::int64_t, 3> last_active{};
     std::int64_t active_voxels = 0;
     bool half = false;
-    bool is_vector = false;      // of three floats or halves
     bool states_active = false;  // it has the bounds of its active voxels
     bool empty = false;          // it says that no voxel is active
     Attributes metadata;         // all metadata of the grid, as text, by name

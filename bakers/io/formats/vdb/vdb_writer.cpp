@@ -172,12 +172,11 @@ void VdbWriter::evaluate(const VoxelBox& strip, std::size_t grid, VdbStripSlot& 
     }
     const float* magnitudes = slot.values.data();
     if (components > 1) {
-        slot.magnitudes.resize(count);
-        for (std::size_t i = 0; i < count; ++i) {
-            slot.magnitudes[i] = 0;
-            for (std::size_t c = 0; c < components; ++c) {
-                slot.magnitudes[i] =
-                    std::max(slot.magnitudes[i], std::fabs(slot.values[c * count + i]));
+        slot.magnitudes.assign(count, 0);
+        for (std::size_t c = 0; c < components; ++c) {
+            const float* const values = slot.values.data() + c * count;
+            for (std::size_t i = 0; i < count; ++i) {
+                slot.magnitudes[i] = std::max(slot.magnitudes[i], std::fabs(values[i]));
             }
         }
         magnitudes = slot.magnitudes.data();
