@@ -14,12 +14,6 @@
 namespace skybake::config {
 namespace {
 
-constexpr Range turn_range{-2 * std::numbers::pi, 2 * std::numbers::pi};
-
-constexpr Range fov_range{0, std::numbers::pi, true, true};
-
-constexpr Range picture_aspect_range{1e-3, 1e3};
-
 constexpr Choice aerial_content_choices[] = {
     {AerialContent::in_scatter_and_transmittance, "in_scatter_and_transmittance",
      "light in R, G, B and the channels' mean transmittance in A"},
@@ -42,7 +36,7 @@ constexpr Choice slices_begin_choices[] = {
 
 const Row<AerialPerspectiveBake> aerial_perspective_table[] = {
     {"size", Kind::voxels, &AerialPerspectiveBake::size,
-     "voxels across and down the picture, and the number of slices", voxel_range,
+     "voxels across and down the picture, and the number of slices", texel_range,
      Default{"[32, 32, 32]"}, Cited{hillaire_2020}},
     {"content", Kind::choice, &AerialPerspectiveBake::content, "what the channels hold",
      aerial_content_choices, Default{R"("in_scatter_and_transmittance")"}},
@@ -54,9 +48,9 @@ const Row<AerialPerspectiveBake> aerial_perspective_table[] = {
     {"pitch", Kind::angle, &AerialPerspectiveBake::pitch,
      "camera pitch, upwards from the horizontal", elevation_range, Default{R"("0 deg")"}},
     {"fov", Kind::angle, &AerialPerspectiveBake::fov, "angle between the lower and the upper edge",
-     fov_range, Default{R"("60 deg")"}},
+     Range{0, std::numbers::pi, true, true}, Default{R"("60 deg")"}},
     {"aspect", Kind::number, &AerialPerspectiveBake::aspect, "width of the picture over its height",
-     picture_aspect_range, Default{"1.7777777777777777"}},
+     Range{1e-3, 1e3}, Default{"1.7777777777777777"}},
     {"view_distance", Kind::length, &AerialPerspectiveBake::view_distance,
      "distance at w = 1, from where the slices begin; by default that of [scene], or its default, "
      "and in space the longest way through the air",

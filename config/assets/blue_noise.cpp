@@ -11,8 +11,6 @@
 namespace skybake::config {
 namespace {
 
-constexpr Range mask_edge_range{2, 4096};
-constexpr Range mask_frame_range{1, 1024};
 constexpr Range mask_sigma_range{0.5, 8};
 
 // The mask is made in memory, with 22 bytes for each voxel.
@@ -22,12 +20,12 @@ constexpr std::string_view wolfe_2022 =
     "Wolfe, Morrical, Akenine-Möller and Ramamoorthi 2022, Spatiotemporal Blue Noise Masks";
 
 const Row<BlueNoiseBake> blue_noise_table[] = {
-    {"size", Kind::size, &BlueNoiseBake::size, "pixels along x and y", mask_edge_range,
+    {"size", Kind::size, &BlueNoiseBake::size, "pixels along x and y", Range{2, 4096},
      Default{"[128, 128]"},
      Hint{"if both are multiples of 16, each value of unorm8 is equally frequent"},
      Cited{wolfe_2022}},
     {"frames", Kind::integer, &BlueNoiseBake::frames,
-     "number of frames, along z; 1 gives a mask without time", mask_frame_range, Default{"64"},
+     "number of frames, along z; 1 gives a mask without time", Range{1, 1024}, Default{"64"},
      Cited{wolfe_2022}},
     {"seed", Kind::seed, &BlueNoiseBake::seed, "another seed gives another mask of the same kind",
      Default{"0"}},

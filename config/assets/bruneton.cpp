@@ -16,14 +16,6 @@
 namespace skybake::config {
 namespace {
 
-constexpr Range nu_range{1, 1024};
-
-constexpr Range orders_range{1, 1000};
-
-constexpr Range sun_cosine_range{-1, 0, false, true};
-
-constexpr Range solar_range{0, 1e6, true};
-
 constexpr Choice bruneton_table_choices[] = {
     {BrunetonTable::transmittance, "transmittance", "transmittance to the top of the atmosphere"},
     {BrunetonTable::scattering, "scattering",
@@ -41,12 +33,7 @@ constexpr Choice convention_choices[] = {
     {BrunetonConvention::calcmysky, "calcmysky", "the sun's axis of CalcMySky and Stellarium"},
 };
 
-constexpr std::string_view by_nu[] = {"scattering", "single_mie", "higher_orders"};
-constexpr std::string_view scattering[] = {"scattering"};
-constexpr std::string_view with_light[] = {"scattering", "single_mie", "higher_orders",
-                                           "irradiance"};
-
-constexpr std::string_view with_orders[] = {"scattering", "higher_orders", "irradiance"};
+constexpr Words by_nu = {"scattering", "single_mie", "higher_orders"};
 
 const Row<BrunetonBake> bruneton_table[] = {
     {"table", Kind::choice, &BrunetonBake::table, "which of the tables to bake",
@@ -56,27 +43,28 @@ const Row<BrunetonBake> bruneton_table[] = {
     {"size", Kind::voxels, &BrunetonBake::size,
      "texels along u, v, w; by default [256, 128, 32] of scattering, [256, 64, 1] of "
      "transmittance, [64, 16, 1] of irradiance",
-     voxel_range, Cited{bruneton_2017}},
+     texel_range, Cited{bruneton_2017}},
     {"nu_size", Kind::integer, &BrunetonBake::nu_size,
-     "number of angles between view and sun, side by side along u", nu_range, Default{"8"},
+     "number of angles between view and sun, side by side along u", Range{1, 1024}, Default{"8"},
      When{"table", by_nu}, Cited{bruneton_2017}},
     {"combined", Kind::flag, &BrunetonBake::combined,
      "whether A holds the Mie layers' first order, red alone, as takram's loader expects, for "
      "which it is true by default; otherwise the table is R G B, and single_mie holds that order",
-     When{"table", scattering}},
+     When{"table", "scattering"}},
     {"orders", Kind::levels, &BrunetonBake::orders,
-     "number of orders of scattering, with the first", orders_range, Default{R"("all")"},
-     Hint{"Bruneton uses 4"}, When{"table", with_orders}},
+     "number of orders of scattering, with the first", Range{1, 1000}, Default{R"("all")"},
+     Hint{"Bruneton uses 4"}, When{"table", {"scattering", "higher_orders", "irradiance"}}},
     {"sun_cos_zenith_min", Kind::number, &BrunetonBake::sun_cos_zenith_min,
      "where the sun's axis begins; by default -0.5 for takram, as its loader expects, -R / (2 "
      "R_top) for calcmysky, which takes no other, and else cos 102 deg",
-     sun_cosine_range, When{"table", by_nu}, Cited{bruneton_2017}},
+     Range{-1, 0, false, true}, When{"table", by_nu}, Cited{bruneton_2017}},
     {"mie_layers", Kind::text_list, &BrunetonBake::mie_layers,
      "layers whose first order is kept apart; by default those with phase functions other than "
      "rayleigh and isotropic",
      Hint{"for example [\"aerosol\"]"}, When{"table", by_nu}},
     {"solar_irradiance", Kind::fractions, &BrunetonBake::solar_irradiance,
-     "factor of all light; by default 1, or takram's own", solar_range, When{"table", with_light}},
+     "factor of all light; by default 1, or takram's own", Range{0, 1e6, true},
+     When{"table", {"scattering", "single_mie", "higher_orders", "irradiance"}}},
 };
 
 // This is the cosine of 102 deg. Below it, Bruneton's half floats hold no light. takram uses the

@@ -13,9 +13,6 @@
 namespace skybake::config {
 namespace {
 
-constexpr Range distance_range{-1e9, 1e9};
-constexpr Range core_range{1e-3, 1e9};
-
 constexpr std::string_view schneider_2023 =
     "Schneider 2023, Nubis Cubed: Methods (and madness) to model and render immersive real-time "
     "voxel-based clouds";
@@ -38,10 +35,11 @@ const Row<CloudDistanceBake> distance_table[] = {
     {"range", Kind::length_bounds, &CloudDistanceBake::range,
      "least and greatest distance, which unorm types store as 0 and 1; distances beyond it are "
      "stored as its ends",
-     distance_range, Default{R"(["-256 m", "4096 m"])"},
+     Range{-1e9, 1e9}, Default{R"(["-256 m", "4096 m"])"},
      Hint{"a texel holds 0 exactly where the ends are as -1 to 16"}, Cited{schneider_2023}},
     {"core", Kind::length, &CloudDistanceBake::core,
-     "depth from which the profile is 1; by default the greatest depth of the volume", core_range},
+     "depth from which the profile is 1; by default the greatest depth of the volume",
+     Range{1e-3, 1e9}},
     {"contents", Kind::choice_list, &CloudDistanceBake::contents,
      "what the one, three or four channels hold, in this order", distance_content_choices,
      Default{R"(["distance"])"}, Cited{schneider_2023}},

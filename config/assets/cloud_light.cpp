@@ -20,11 +20,9 @@ namespace skybake::config {
 namespace {
 
 constexpr Range light_cell_range{1, most_cloud_light_cell};
-constexpr Range part_range{1, 4};
 constexpr double degree_in_radians = std::numbers::pi / 180;
 // A ray at 1 degree passes 57 voxels for each one that it rises.
 constexpr Range sun_range{degree_in_radians, std::numbers::pi / 2};
-constexpr Range azimuth_range{-2 * std::numbers::pi, 2 * std::numbers::pi};
 
 constexpr Choice contents_choices[] = {
     {CloudLightContents::optical_depth, "optical_depth",
@@ -48,20 +46,17 @@ constexpr Choice contents_choices[] = {
      "light of uniform ground that the cloud scatters, of all orders, as such harmonics"},
 };
 
-constexpr std::string_view of_suns[] = {"optical_depth", "transmittance", "shadow", "sun_radiance",
-                                        "clear_sky_radiance"};
-constexpr std::string_view in_harmonics[] = {"optical_depth_harmonics",
-                                             "transmittance_harmonics",
-                                             "sky_visibility",
-                                             "sun_radiance",
-                                             "sky_radiance",
-                                             "clear_sky_radiance",
-                                             "ground_radiance"};
-constexpr std::string_view of_depths[] = {
-    "optical_depth",           "transmittance",           "shadow",
-    "optical_depth_harmonics", "transmittance_harmonics", "sky_visibility"};
-constexpr std::string_view of_radiance[] = {"sun_radiance", "sky_radiance", "clear_sky_radiance",
-                                            "ground_radiance"};
+constexpr Words of_suns = {"optical_depth", "transmittance", "shadow", "sun_radiance",
+                           "clear_sky_radiance"};
+constexpr Words in_harmonics = {"optical_depth_harmonics",
+                                "transmittance_harmonics",
+                                "sky_visibility",
+                                "sun_radiance",
+                                "sky_radiance",
+                                "clear_sky_radiance",
+                                "ground_radiance"};
+constexpr Words of_radiance = {"sun_radiance", "sky_radiance", "clear_sky_radiance",
+                               "ground_radiance"};
 
 const Row<CloudLightBake> cloud_light_table[] = {
     {source_volume_field, &CloudLightBake::of},
@@ -73,14 +68,14 @@ const Row<CloudLightBake> cloud_light_table[] = {
      KeyFlag::required, Hint{"for example [\"60 deg\", \"30 deg\", \"10 deg\"]"},
      When{"contents", of_suns}},
     {"sun_azimuths", Kind::angles, &CloudLightBake::sun_azimuths,
-     "azimuth of each sun, from +x towards +y; by default all 0", azimuth_range,
+     "azimuth of each sun, from +x towards +y; by default all 0", turn_range,
      When{"contents", of_suns}},
     {"degree", Kind::integer, &CloudLightBake::degree,
      "degree of the harmonics, which have (degree + 1)^2 coefficients", harmonics_degree_range,
      Default{"1"}, When{"contents", in_harmonics}},
     {"part", Kind::integer, &CloudLightBake::part,
      "which four of the coefficients the channels are; degree 2 has 3 parts, degree 3 has 4",
-     part_range, Default{"1"}, When{"contents", in_harmonics}},
+     Range{1, 4}, Default{"1"}, When{"contents", in_harmonics}},
     {"cell", Kind::integer, &CloudLightBake::cell,
      "voxels along each edge of a texel: 4 gives 1/64 as many texels as the volume has voxels; by "
      "default 2 of what is stored for each sun, whose shadows have edges",
@@ -89,7 +84,9 @@ const Row<CloudLightBake> cloud_light_table[] = {
      "in place of cell, asks for the fewest texels of which the RMS error of lookups within cloud "
      "is at most this share of the light that nothing shades",
      lookup_error_range, Hint{"for example \"5 %\""}, Exclusive{"size"},
-     When{"contents", of_depths}},
+     When{"contents",
+          {"optical_depth", "transmittance", "shadow", "optical_depth_harmonics",
+           "transmittance_harmonics", "sky_visibility"}}},
     {with(droplet_diameter_field, When{"contents", of_radiance}),
      &CloudLightBake::droplet_diameter},
     {with(single_scattering_albedo_field, When{"contents", of_radiance}),

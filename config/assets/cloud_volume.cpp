@@ -17,22 +17,18 @@
 namespace skybake::config {
 namespace {
 
-constexpr Range voxel_size_range{1e-3, 1e8};
-
-constexpr Range cloud_extent_range{1e-3, 1e8};
-
 const Row<CloudVolumeBake> cloud_volume_table[] = {
     {"cloud", Kind::text, &CloudVolumeBake::cloud, "NAME of the [clouds.NAME] to bake",
      KeyFlag::required},
     {"size", Kind::voxels, &CloudVolumeBake::size, "voxels along x, y and z, which is up",
-     voxel_range, Hint{"for example [512, 512, 128]"}, Exclusive{"size", "counted"}},
+     texel_range, Hint{"for example [512, 512, 128]"}, Exclusive{"size", "counted"}},
     {"extent", Kind::lengths, &CloudVolumeBake::extent,
      "what the voxels span, to which the cloud is stretched; by default the cloud's extent",
-     cloud_extent_range, Hint{"voxel_size sets it where it does not divide the cloud's extent"},
+     Range{1e-3, 1e8}, Hint{"voxel_size sets it where it does not divide the cloud's extent"},
      Exclusive{"size", "counted"}},
     {"voxel_size", Kind::length, nullptr,
      "edge of a cubic voxel, in place of size; the cloud's extent is rounded up to whole voxels",
-     voxel_size_range, Hint{"for example \"12 m\""}, Exclusive{"size", "measured"},
+     Range{1e-3, 1e8}, Hint{"for example \"12 m\""}, Exclusive{"size", "measured"},
      KeyFlag::only_shown},
     {"cover", Kind::fraction, &CloudVolumeBake::cover,
      "share of the columns of voxels that hold cloud, met exactly, in place of the cloud's "

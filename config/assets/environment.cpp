@@ -19,10 +19,7 @@
 namespace skybake::config {
 namespace {
 
-constexpr Range environment_azimuth_range{-std::numbers::pi, std::numbers::pi};
 constexpr Range camera_place_range{-1e8, 1e8};
-constexpr Range sample_range{1, 16};
-constexpr Range sun_or_moon_range{0, 1e6, true};
 
 constexpr Choice environment_mapping_choices[] = {
     {EnvironmentMapping::longitude_latitude, "longitude_latitude",
@@ -46,11 +43,6 @@ constexpr Choice level_choices[] = {
      "light as rough surfaces reflect it, from smooth to the roughness 1"},
 };
 
-constexpr Field needing_clouds(Field field) {
-    field.needs = "clouds";
-    return field;
-}
-
 const Row<EnvironmentBake> environment_table[] = {
     {"mapping", Kind::choice, &EnvironmentBake::mapping, "which direction a texel shows",
      environment_mapping_choices, Default{R"("longitude_latitude")"}},
@@ -65,31 +57,28 @@ const Row<EnvironmentBake> environment_table[] = {
     {"sun_azimuth", Kind::angle, &EnvironmentBake::sun_azimuth,
      "azimuth of the sun, to the right of straight ahead, which is the middle of a row and the x "
      "axis of clouds",
-     environment_azimuth_range, Default{R"("0 deg")"}},
+     Range{-std::numbers::pi, std::numbers::pi}, Default{R"("0 deg")"}},
     {orders_field, &EnvironmentBake::orders},
     {layers_field, &EnvironmentBake::layers},
     {"clouds", Kind::text_list, &EnvironmentBake::clouds,
      "NAME of the [bake.NAME] with asset = \"cloud_volume\" that covers the sky, or a list of "
      "them, one for each layer; without it, the sky is clear",
      Hint{"for example [\"cumulus\", \"cirrus\"]"}},
-    {needing_clouds(key("camera_x", Kind::length,
-                        "x of the camera, from the corner of the clouds' tiles", camera_place_range,
-                        Default{R"("0 m")"})),
-     &EnvironmentBake::camera_x},
-    {needing_clouds(key("camera_y", Kind::length,
-                        "y of the camera, from the corner of the clouds' tiles", camera_place_range,
-                        Default{R"("0 m")"})),
-     &EnvironmentBake::camera_y},
-    {needing_clouds(key("samples", Kind::integer,
-                        "rays along each edge of a texel, whose mean through clouds it is",
-                        sample_range, Default{"2"})),
-     &EnvironmentBake::samples},
+    {"camera_x", Kind::length, &EnvironmentBake::camera_x,
+     "x of the camera, from the corner of the clouds' tiles", camera_place_range,
+     Default{R"("0 m")"}, Needs{"clouds"}},
+    {"camera_y", Kind::length, &EnvironmentBake::camera_y,
+     "y of the camera, from the corner of the clouds' tiles", camera_place_range,
+     Default{R"("0 m")"}, Needs{"clouds"}},
+    {"samples", Kind::integer, &EnvironmentBake::samples,
+     "rays along each edge of a texel, whose mean through clouds it is", Range{1, 16}, Default{"2"},
+     Needs{"clouds"}},
     {"sun", Kind::choice, &EnvironmentBake::sun,
      "whether the map holds the light of the sun's disc", environment_sun_choices,
      Default{R"("none")"}},
     {"level_content", Kind::choice, &EnvironmentBake::level_content,
      "what the levels of `mips` beyond the first hold", level_choices, Default{R"("mean")"},
-     Cited{karis_2013}},
+     Cited{"Karis 2013, Real Shading in Unreal Engine 4"}},
     {"lights", Kind::flag, &EnvironmentBake::lights,
      "writes NAME.json with the sun's light, the light on a level surface, and spherical harmonics "
      "to degree 4",
@@ -97,7 +86,7 @@ const Row<EnvironmentBake> environment_table[] = {
     {"solar_irradiance", Kind::fractions, &EnvironmentBake::solar_irradiance,
      "factor of all light, for another unit, or for a moon or a star in the place of the sun; "
      "without it 1",
-     sun_or_moon_range,
+     Range{0, 1e6, true},
      Hint{"133100 makes cd/m2 of colours under the sun, and 0.31 under a full moon"}},
 };
 

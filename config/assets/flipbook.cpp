@@ -23,9 +23,6 @@
 namespace skybake::config {
 namespace {
 
-constexpr Range length_range{1, 16384};
-constexpr Range slice_range{0, 16383};
-
 constexpr Choice mapping_choices[] = {
     {FlipbookMapping::frames, "frames",
      "a 3-D texture with a slice for each frame, which has one level"},
@@ -38,10 +35,10 @@ const Row<FlipbookBake> flipbook_table[] = {
      "NAME of the [bake.NAME] with `frames`: a noise_volume, a weather_map or a cloud_volume",
      KeyFlag::required},
     {"length", Kind::integer, &FlipbookBake::length,
-     "number of frames; by default those of the sequence", length_range,
+     "number of frames; by default those of the sequence", Range{1, 16384},
      Hint{"columns times rows of a sheet"}},
     {"slice", Kind::integer, &FlipbookBake::slice,
-     "which slice of volumes, counted from 0 along z; by default the middle one", slice_range},
+     "which slice of volumes, counted from 0 along z; by default the middle one", Range{0, 16383}},
     {"mapping", Kind::choice, &FlipbookBake::mapping, "what DDS and KTX2 files hold the frames as",
      mapping_choices, Default{R"("frames")"}},
 };

@@ -16,7 +16,7 @@ const Row<NoiseVolumeBake> noise_volume_table[] = {
     {"noise", Kind::text, &NoiseVolumeBake::noise, "NAME of the [noise.NAME] to bake",
      KeyFlag::required},
     {"size", Kind::voxels, &NoiseVolumeBake::size,
-     "voxels along x, y and z; by default the noise's size", voxel_range,
+     "voxels along x, y and z; by default the noise's size", texel_range,
      Hint{"1 along z gives a picture"}},
 };
 

@@ -12,10 +12,6 @@
 namespace skybake::config {
 namespace {
 
-constexpr Range shells_range{1, 4096};
-
-constexpr Range shell_altitude_range{1, 1e9};
-
 constexpr std::string_view ai_2014 = "Ai et al. 2014";
 
 constexpr Choice depth_table_choices[] = {
@@ -39,9 +35,7 @@ constexpr Choice depth_sampling_choices[] = {
     {DepthSampling::uniform, "uniform", "shells of equal thickness, with one sample in each"},
 };
 
-constexpr std::string_view of_columns[] = {"to_top", "between"};
-constexpr std::string_view between[] = {"between"};
-constexpr std::string_view shells[] = {"equal_attenuation", "uniform"};
+constexpr Words shells = {"equal_attenuation", "uniform"};
 
 const Row<OpticalDepthBake> optical_depth_table[] = {
     {"table", Kind::choice, &OpticalDepthBake::table, "which of the tables to bake",
@@ -49,18 +43,19 @@ const Row<OpticalDepthBake> optical_depth_table[] = {
     {"size", Kind::voxels, &OpticalDepthBake::size,
      "texels along u, v, w; by default [256, 128, 1] of to_top, [64, 64, 64] of between, [1024, 1, "
      "1] of the others",
-     voxel_range},
+     texel_range},
     {"kinds", Kind::text_list, &OpticalDepthBake::kinds,
      "one to four layers of the atmosphere, each a channel; by default all of them",
      Hint{"for example [\"air\", \"dust\", \"fog\", \"rain\"]"}},
     {"coordinates", Kind::choice, &OpticalDepthBake::coordinates, "how the two points are given",
-     coordinates_choices, Default{R"("altitudes")"}, When{"table", between}, Cited{ai_2014}},
+     coordinates_choices, Default{R"("altitudes")"}, When{"table", "between"}, Cited{ai_2014}},
     {"sampling", Kind::choice, &OpticalDepthBake::sampling, "how densities are summed along a ray",
-     depth_sampling_choices, Default{R"("exact")"}, When{"table", of_columns}, Cited{ai_2014}},
-    {"shells", Kind::integer, &OpticalDepthBake::shells, "number of shells", shells_range,
+     depth_sampling_choices, Default{R"("exact")"}, When{"table", {"to_top", "between"}},
+     Cited{ai_2014}},
+    {"shells", Kind::integer, &OpticalDepthBake::shells, "number of shells", Range{1, 4096},
      Default{"32"}, When{"sampling", shells}},
     {"max_altitude", Kind::length, &OpticalDepthBake::max_altitude,
-     "altitude of the highest shell; the air above is left out", shell_altitude_range,
+     "altitude of the highest shell; the air above is left out", Range{1, 1e9},
      Default{R"("35 km")"}, When{"sampling", shells}, Cited{ai_2014}},
 };
 

@@ -34,9 +34,6 @@ constexpr ValueKind share_kind = list_kind(
     "a share, such as 0.3 or \"30 %\", or a list of one per channel of the noise", read_shares,
     one_or_numbers_schema, &Scales::fraction, 1, most_shares, RangeOver::numbers);
 
-constexpr Range streak_range{0, 1};
-constexpr Range wind_range{-2 * std::numbers::pi, 2 * std::numbers::pi};
-
 constexpr Choice weather_content_choices[] = {
     {WeatherContent::amounts, "amounts",
      "how much there is of what each channel stands for: 0 none, 1 all"},
@@ -47,7 +44,6 @@ constexpr Choice cover_edge_choices[] = {
     {CoverEdge::linear, "linear", "in proportion to the noise"},
     {CoverEdge::smooth, "smooth", "smoothstep of that"},
 };
-constexpr std::string_view of_amounts[] = {"amounts"};
 
 const Row<WeatherMapBake> weather_map_table[] = {
     {"noise", Kind::text, &WeatherMapBake::noise,
@@ -59,22 +55,22 @@ const Row<WeatherMapBake> weather_map_table[] = {
      weather_content_choices, Default{R"("amounts")"}},
     {"covered", share_kind, &WeatherMapBake::covered,
      "share of the texels of a channel that are above 0, exactly", unit_range, Default{"0.5"},
-     Hint{"0.3 for fair weather, 1 for channels without gaps"}, When{"content", of_amounts}},
+     Hint{"0.3 for fair weather, 1 for channels without gaps"}, When{"content", "amounts"}},
     {"full", share_kind, &WeatherMapBake::full,
      "share of the texels that are 1; with 0 the greatest one is", unit_range, Default{"0"},
-     When{"content", of_amounts}},
+     When{"content", "amounts"}},
     {"edge", Kind::choice, &WeatherMapBake::edge, "how a channel rises from 0 to 1",
-     cover_edge_choices, Default{R"("linear")"}, When{"content", of_amounts}},
+     cover_edge_choices, Default{R"("linear")"}, When{"content", "amounts"}},
     {"yields_to", Kind::text_list, &WeatherMapBake::yields_to,
      "for each channel, another one whose finished values are taken from its noise, or \"\"",
      Hint{"for example, [\"G\", \"\", \"\"] puts low clouds only where there are no middle clouds"},
-     When{"content", of_amounts}},
+     When{"content", "amounts"}},
     {"streaks", share_kind, &WeatherMapBake::streaks,
-     "length in tiles over which the wind draws a channel's noise out, falling to 1/e",
-     streak_range, Default{"0"}, Hint{"0.05 for cirrus"}, When{"content", of_amounts}},
+     "length in tiles over which the wind draws a channel's noise out, falling to 1/e", Range{0, 1},
+     Default{"0"}, Hint{"0.05 for cirrus"}, When{"content", "amounts"}},
     {"wind", Kind::angle, &WeatherMapBake::wind,
-     "where the wind draws streaks to, from +x towards +y", wind_range, Default{R"("0 deg")"},
-     When{"content", of_amounts}},
+     "where the wind draws streaks to, from +x towards +y", turn_range, Default{R"("0 deg")"},
+     When{"content", "amounts"}},
 };
 
 // This is one section while it is resolved.

@@ -41,11 +41,8 @@ bool names_fit(std::span<const std::string> names, const Section& section) {
 }
 
 bool applies(const Field& field, std::string_view selector_value) {
-    if (field.selector.empty()) return true;
-    for (const std::string_view value : field.selected_by) {
-        if (value == selector_value) return true;
-    }
-    return false;
+    const Words& values = field.selected_by;
+    return field.selector.empty() || std::ranges::find(values, selector_value) != values.end();
 }
 
 bool exclude_each_other(const Field& field, const Field& other) {

@@ -70,15 +70,6 @@ struct VolumeDecoder {
     }
 };
 
-constexpr Range volume_voxels_range{1, 16384};
-constexpr Range volume_index_range{-1e6, 1e6};
-constexpr Range volume_byte_range{0, 2147483647};
-constexpr Range volume_edge_range{1e-6, 1e8};
-constexpr Range volume_place_range{-1e9, 1e9};
-constexpr Range volume_crop_range{1e-6, 1e9};
-constexpr Range volume_scale_range{1e-9, 1e9};
-constexpr Range volume_border_range{0, 4096};
-
 constexpr Choice volume_format_choices[] = {
     {VolumeFormat::vdb, "vdb", "an OpenVDB file with a grid of float, double, int32 or int64"},
     {VolumeFormat::nvdb, "nvdb", "a NanoVDB file with a grid of type Float, Fp8 or Fp16"},
@@ -116,9 +107,6 @@ constexpr Choice volume_not_finite_choices[] = {
     {NotFinite::background, "background", "the file's background, 0 for raw"},
 };
 
-constexpr std::string_view of_grids[] = {"vdb", "nvdb"};
-constexpr std::string_view of_raw[] = {"raw"};
-
 const VolumeField volume_table[] = {
     {"file", Kind::text, &VolumeFile::file, "the volume's file", KeyFlag::required,
      Hint{"for example \"cloud.vdb\"; relative to the folder of the recipe"}},
@@ -126,43 +114,43 @@ const VolumeField volume_table[] = {
      Default{R"("vdb")"}},
     {"grid", Kind::text, &VolumeFile::grid,
      "name of the grid; density by default, or the file's only grid of numbers",
-     When{"format", of_grids}},
-    {"size", Kind::voxels, &VolumeFile::size, "voxels along the file's x, y and z",
-     volume_voxels_range, KeyFlag::required, When{"format", of_raw}},
+     When{"format", {"vdb", "nvdb"}}},
+    {"size", Kind::voxels, &VolumeFile::size, "voxels along the file's x, y and z", texel_range,
+     KeyFlag::required, When{"format", "raw"}},
     {"type", Kind::choice, &VolumeFile::type, "how a number is stored", volume_type_choices,
-     Default{R"("float32")"}, When{"format", of_raw}},
+     Default{R"("float32")"}, When{"format", "raw"}},
     {"byte_order", Kind::choice, &VolumeFile::byte_order, "order of the bytes of a number",
-     volume_byte_order_choices, Default{R"("little")"}, When{"format", of_raw}},
+     volume_byte_order_choices, Default{R"("little")"}, When{"format", "raw"}},
     {"axis_order", Kind::choice, &VolumeFile::axis_order,
      "the axes from the fastest to the slowest", volume_axis_order_choices, Default{R"("xyz")"},
-     When{"format", of_raw}},
+     When{"format", "raw"}},
     {"offset", Kind::integer, &VolumeFile::offset, "bytes before the first voxel",
-     volume_byte_range, Default{"0"}, When{"format", of_raw}},
+     Range{0, 2147483647}, Default{"0"}, When{"format", "raw"}},
     {"voxel_size", Kind::lengths, &VolumeFile::voxel_size,
      "edges of a voxel along the file's x, y and z; an OpenVDB or NanoVDB file says them itself, "
      "in metres, unless this key replaces them",
-     volume_edge_range},
+     Range{1e-6, 1e8}},
     {"crop_first", Kind::voxels, &VolumeFile::crop_first,
-     "index of the first voxel that counts, along the file's axes", volume_index_range,
+     "index of the first voxel that counts, along the file's axes", Range{-1e6, 1e6},
      Exclusive{"crop", "voxels"}},
     {"crop_size", Kind::voxels, &VolumeFile::crop_size,
-     "number of voxels that count; by default all of the file's", volume_voxels_range,
+     "number of voxels that count; by default all of the file's", texel_range,
      Hint{"what the crop has beyond the file is background"}, Exclusive{"crop", "voxels"}},
     {"crop_corner", Kind::lengths, &VolumeFile::crop_corner,
-     "lower corner of the part that counts, in the file's space", volume_place_range,
+     "lower corner of the part that counts, in the file's space", Range{-1e9, 1e9},
      Hint{"it is rounded to whole voxels"}, Exclusive{"crop", "lengths"}},
     {"crop_extent", Kind::lengths, &VolumeFile::crop_extent,
-     "how far the part that counts reaches from its corner", volume_crop_range,
+     "how far the part that counts reaches from its corner", Range{1e-6, 1e9},
      Exclusive{"crop", "lengths"}},
     {"up_axis", Kind::choice, &VolumeFile::up_axis, "which of the file's axes points up",
      volume_up_choices, Default{R"("z")"}},
     {"scale", Kind::number, &VolumeFile::scale,
-     "factor from the file's numbers to the cloud's values", volume_scale_range, Default{"1"}},
+     "factor from the file's numbers to the cloud's values", Range{1e-9, 1e9}, Default{"1"}},
     {"wrap", Kind::choice, &VolumeFile::wrap, "what voxels at the volume's faces are mixed with",
      volume_wrap_choices, Default{R"("empty")"},
      Hint{"the cloud repeats along x and y in any case"}},
     {"border", Kind::integer, &VolumeFile::border,
-     "voxels of background that are added at the four sides", volume_border_range, Default{"0"},
+     "voxels of background that are added at the four sides", Range{0, 4096}, Default{"0"},
      Hint{"they keep the tiles of a cloud apart"}},
     {"not_finite", Kind::choice, &VolumeFile::not_finite,
      "what voxels that are NaN or infinite mean", volume_not_finite_choices,

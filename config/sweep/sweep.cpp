@@ -50,7 +50,6 @@ namespace {
 // These are the keys of [sweep] itself and of a range in it. All other keys of [sweep] are paths of
 // keys.
 constexpr Range value_count_range{2, most_variants};
-constexpr Range points_range{1, most_variants};
 
 constexpr Choice scale_choices[] = {
     {SweepScale::linear, "linear", "equal differences"},
@@ -61,7 +60,7 @@ constexpr std::array sweep_table = {
     key("zip", Kind::path_groups,
         "keys varied in lockstep instead of crossed, with equally many values each"),
     key("sobol", Kind::integer, "points of a Sobol sequence that cover all ranges without a count",
-        points_range, Hint{"a power of two covers them best"},
+        Range{1, most_variants}, Hint{"a power of two covers them best"},
         Cited{"Joe and Kuo 2008, Constructing Sobol sequences with better two-dimensional "
               "projections"}),
 };
