@@ -69,9 +69,9 @@ Length default_view_distance() {
 }
 
 void check_channels(const DecodedSection& bake, Decoder& decoder) {
-    const DecodedField& content = bake.at("content");
-    if (!content.value || !decoder.channels || decoder.channels == 3) return;
-    if (choice_of<AerialContent>(content) != AerialContent::in_scatter_and_transmittance) return;
+    if (!decoder.channels || decoder.channels == 3) return;
+    const auto content = choice_of<AerialContent>(bake.at("content"));
+    if (content != AerialContent::in_scatter_and_transmittance) return;
     decoder.report(
         "E0129", bake, "content",
         fmt::format("is for three channels of light, and this recipe has {}", *decoder.channels),
@@ -87,10 +87,10 @@ double longest_way_m(const Atmosphere& atmosphere) {
 
 // Slices of a camera in space begin with the air.
 void resolve_slices(DecodedSection& bake, const Parameters& parameters) {
-    const DecodedField& altitude = bake.at("altitude");
     const Atmosphere& air = parameters.atmosphere;
     const double thickness = air.top_radius.meters - air.ground_radius.meters;
-    if (!altitude.value || std::get<double>(*altitude.value) <= thickness) return;
+    const std::optional<double> altitude = bake.number("altitude");
+    if (!altitude || *altitude <= thickness) return;
     DecodedField& begin = bake.at("slices_begin");
     derive(begin, chosen(*begin.field, SlicesBegin::air));
     if (choice_of<SlicesBegin>(begin) != SlicesBegin::air) return;
@@ -106,11 +106,10 @@ void resolve_aerial_perspective(DecodedSection& bake, const RecipeSoFar& recipe,
     resolve_slices(bake, recipe.parameters);
     check_channels(bake, decoder);
     check_pixel_type(bake, decoder);
-    const DecodedField& size = bake.at("size");
-    if (!size.value) return;
-    const auto voxels = std::get<VoxelCounts>(*size.value);
-    resolve_files(bake, voxels, Halving::down, decoder);
-    check_voxel_count(bake, voxels, 4, bake.place_of("size"), decoder);
+    const auto* voxels = bake.value<VoxelCounts>("size");
+    if (!voxels) return;
+    resolve_files(bake, *voxels, Halving::down, decoder);
+    check_voxel_count(bake, *voxels, 4, bake.place_of("size"), decoder);
 }
 
 }  // namespace

@@ -49,8 +49,7 @@ void check_mask_size(const DecodedSection& bake, const VoxelCounts& size, Decode
 
 // Means of neighbours are all near 1/2 and no blue noise.
 void check_one_level(const DecodedSection& bake, Decoder& decoder) {
-    const DecodedField& mips = bake.at("mips");
-    if (!mips.value || std::get<double>(*mips.value) == 1) return;
+    if (bake.whole("mips").value_or(1) == 1) return;
     decoder.report("E0110", bake, "mips", "is out of range: blue noise has one level",
                    "a mean of several pixels is about 1/2 everywhere");
 }
@@ -72,11 +71,10 @@ void resolve_blue_noise(DecodedSection& bake, const RecipeSoFar&, Decoder& decod
     check_pixel_type(bake, decoder);
     refuse_blocks(bake, "blue noise, whose values must stay apart", decoder);
     check_one_level(bake, decoder);
-    const DecodedField& size = bake.at("size");
-    const DecodedField& frames = bake.at("frames");
-    if (!size.value || !frames.value) return;
-    const auto [width, height] = std::get<std::array<int, 2>>(*size.value);
-    const VoxelCounts voxels = {width, height, static_cast<int>(std::get<double>(*frames.value))};
+    const auto* size = bake.value<std::array<int, 2>>("size");
+    const std::optional<int> frames = bake.whole("frames");
+    if (!size || !frames) return;
+    const VoxelCounts voxels = {(*size)[0], (*size)[1], *frames};
     resolve_files(bake, voxels, Halving::down, decoder);
     check_mask_size(bake, voxels, decoder);
     warn_of_takram(bake, voxels, decoder);

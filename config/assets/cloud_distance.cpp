@@ -58,28 +58,24 @@ struct DistanceResolver {
     }
 
     std::size_t check_channels() const {
-        const DecodedField& decoded = bake.at("contents");
-        if (!decoded.value) return 1;
-        const auto& contents = std::get<std::vector<ChoiceIndex>>(*decoded.value);
-        const std::string path = join_path(bake.path, "contents");
-        if (contents.size() == 2) {
+        const auto* contents = bake.value<std::vector<ChoiceIndex>>("contents");
+        if (!contents) return 1;
+        if (contents->size() == 2) {
             decoder.report(
                 "E0129", bake, "contents", "has two channels",
                 "a picture has one, three or four channels: add one, or bake two assets");
-        } else if (!distance_content_choices[contents.front().index].is(
+        } else if (!distance_content_choices[contents->front().index].is(
                        DistanceContent::distance)) {
             decoder.report("E0175", bake, "contents", "does not begin with \"distance\"",
                            "lookups find the distance in the first channel");
         }
-        return contents.size();
+        return contents->size();
     }
 
     // A surface has the distance 0.
     void check_range() const {
-        const DecodedField& decoded = bake.at("range");
-        if (!decoded.value) return;
-        const auto& ends = std::get<std::array<double, 2>>(*decoded.value);
-        if (ends[0] <= 0 && ends[1] > 0) return;
+        const auto* ends = bake.value<std::array<double, 2>>("range");
+        if (!ends || ((*ends)[0] <= 0 && (*ends)[1] > 0)) return;
         decoder.report("E0175", bake, "range", "has no room for the distance 0",
                        "begin it at or below 0 m, and end it above 0 m");
     }
@@ -97,8 +93,7 @@ struct DistanceResolver {
 
     // The mean of distances is no distance to keep to.
     void check_levels() const {
-        const DecodedField& mips = bake.at("mips");
-        if (!mips.value || std::get<double>(*mips.value) == 1 || mips.source == nullptr) return;
+        if (bake.whole("mips").value_or(1) == 1 || !bake.gives("mips")) return;
         decoder.report("E0110", bake, "mips", "must be 1",
                        "bake another cloud_distance with a larger `cell`");
     }

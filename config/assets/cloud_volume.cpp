@@ -100,17 +100,10 @@ struct CloudVolumeResolver {
             extent[axis] = voxels.longer ? voxels.count * edge.meters : cloud.extent[axis].meters;
             longer = longer || voxels.longer;
         }
-        derive("size", size);
+        replace(bake.at("size"), size);
         if (!longer) return;
-        derive("extent", extent);
+        replace(bake.at("extent"), extent);
         warn_of_longer_extent(cloud, extent);
-    }
-
-    template <class T>
-    void derive(std::string_view key, const T& value) const {
-        DecodedField& decoded = bake.at(key);
-        decoded.value = value;
-        decoded.derived = true;
     }
 
     void warn_of_longer_extent(const Cloud& cloud, const std::array<double, 3>& extent) const {
@@ -126,23 +119,19 @@ struct CloudVolumeResolver {
     }
 
     void resolve_size(const Cloud* cloud) const {
-        DecodedField& size = bake.at("size");
-        const DecodedField& voxel_size = bake.at("voxel_size");
-        if (!size.source && !voxel_size.source) report_missing_size(cloud);
-        const bool known = cloud && cloud->extent[0].meters > 0 && voxel_size.value;
-        if (!known) return;
-        size.value.reset();
-        resolve_voxels(*cloud, Length{std::get<double>(*voxel_size.value)});
+        if (!bake.gives("size") && !bake.gives("voxel_size")) report_missing_size(cloud);
+        const std::optional<double> edge_m = bake.number("voxel_size");
+        if (!cloud || cloud->extent[0].meters <= 0 || !edge_m) return;
+        bake.at("size").value.reset();
+        resolve_voxels(*cloud, Length{*edge_m});
     }
 
     void check_voxels(const Cloud& cloud, const VoxelCounts& size) const {
-        if (cloud.extent[0].meters <= 0 || bake.at("voxel_size").source) return;
+        if (cloud.extent[0].meters <= 0 || bake.gives("voxel_size")) return;
         CloudVolumeBake voxels;
         voxels.size = size;
-        if (const auto& extent = bake.at("extent").value) {
-            const auto& meters = std::get<std::array<double, 3>>(*extent);
-            voxels.extent = {Length{meters[0]}, Length{meters[1]}, Length{meters[2]}};
-        }
+        const DecodedField& extent = bake.at("extent");
+        if (extent.value) assign(*extent.field, *extent.value, voxels.extent);
         check_cubes(bake, voxel_edges(cloud, voxels), size_place(), decoder);
     }
 
@@ -213,16 +202,16 @@ void resolve_cloud_volume(DecodedSection& bake, const RecipeSoFar& recipe, Decod
     check_pixel_type(bake, decoder);
     const Cloud* cloud = find_named(bake, "cloud", clouds, cloud_reference, decoder);
     resolver.resolve_size(cloud);
-    if (!bake.at("size").value) return;
-    const auto size = std::get<VoxelCounts>(*bake.at("size").value);
-    resolve_files(bake, size, Halving::down, decoder);
+    const auto* size = bake.value<VoxelCounts>("size");
+    if (!size) return;
+    resolve_files(bake, *size, Halving::down, decoder);
     if (!cloud) return;
     resolver.check_velocity(*cloud);
-    check_voxel_count(bake, size, resolver.channels_of(*cloud, noises), resolver.size_place(),
+    check_voxel_count(bake, *size, resolver.channels_of(*cloud, noises), resolver.size_place(),
                       decoder);
-    resolver.check_noises(*cloud, noises, size);
-    resolver.warn_of_narrow_towers(*cloud, size);
-    resolver.check_voxels(*cloud, size);
+    resolver.check_noises(*cloud, noises, *size);
+    resolver.warn_of_narrow_towers(*cloud, *size);
+    resolver.check_voxels(*cloud, *size);
 }
 
 std::vector<Read> reads_of(const Parameters& parameters, const CloudVolumeBake& bake) {

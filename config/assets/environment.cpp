@@ -90,28 +90,17 @@ const Row<EnvironmentBake> environment_table[] = {
      Hint{"133100 makes cd/m2 of colours under the sun, and 0.31 under a full moon"}},
 };
 
-template <class T>
-const T* given_value(const DecodedField& decoded) {
-    return decoded.value ? std::get_if<T>(&*decoded.value) : nullptr;
-}
-
 // This is one section while it is resolved.
 struct EnvironmentResolver {
     DecodedSection& bake;
     const RecipeSoFar& recipe;
     Decoder& decoder;
 
-    template <class Enum>
-    bool is(std::string_view key, Enum wanted) const {
-        const DecodedField& decoded = bake.at(key);
-        const auto* choice = given_value<ChoiceIndex>(decoded);
-        return choice && decoded.field->choices[choice->index].is(wanted);
-    }
-
     // Returns how many squares the image is high, or 0 where it need not be made of squares.
     int squares() const {
-        if (is("mapping", EnvironmentMapping::cube)) return 6;
-        return is("mapping", EnvironmentMapping::longitude_latitude) ? 0 : 1;
+        const auto mapping = choice_of<EnvironmentMapping>(bake.at("mapping"));
+        if (mapping == EnvironmentMapping::cube) return 6;
+        return mapping == EnvironmentMapping::longitude_latitude ? 0 : 1;
     }
 
     void resolve_size() const {
@@ -119,21 +108,20 @@ struct EnvironmentResolver {
         if (high == 0) return;
         const std::array<int, 2> usual = high == 6 ? std::array{256, 1536} : std::array{512, 512};
         derive(bake.at("size"), usual);
-        const auto* size = given_value<std::array<int, 2>>(bake.at("size"));
+        const auto* size = bake.value<std::array<int, 2>>("size");
         if (!size || (*size)[1] == high * (*size)[0]) return;
-        report_size(bake,
-                    fmt::format("`{}` of {} makes no squares", join_path(bake.path, "size"),
-                                high == 6 ? "a cube" : "an octahedron"),
-                    fmt::format("give [{0}, {1}], or another size that is {2}", (*size)[0],
-                                high * (*size)[0],
-                                high == 6 ? "six times as high as wide" : "as high as wide"),
-                    decoder);
+        decoder.report(
+            "E0142", bake, "size",
+            fmt::format("of {} makes no squares", high == 6 ? "a cube" : "an octahedron"),
+            fmt::format("give [{0}, {1}], or another size that is {2}", (*size)[0],
+                        high * (*size)[0],
+                        high == 6 ? "six times as high as wide" : "as high as wide"));
     }
 
     // Squares halve evenly: faces down to one texel, octahedra down to four along an edge.
     void check_halving() const {
-        const auto* mips = given_value<double>(bake.at("mips"));
-        const auto* size = given_value<std::array<int, 2>>(bake.at("size"));
+        const auto* mips = bake.value<double>("mips");
+        const auto* size = bake.value<std::array<int, 2>>("size");
         if (squares() == 0 || !mips || *mips == 1 || !size) return;
         const int least = squares() == 6 ? 1 : 4;
         int most = 1;
@@ -150,8 +138,9 @@ struct EnvironmentResolver {
 
     void check_levels() const {
         check_halving();
-        const auto* mips = given_value<double>(bake.at("mips"));
-        if (!is("level_content", LevelContent::ggx) || !mips || *mips != 1) return;
+        const auto* mips = bake.value<double>("mips");
+        const auto content = choice_of<LevelContent>(bake.at("level_content"));
+        if (content != LevelContent::ggx || !mips || *mips != 1) return;
         decoder.report("E0172", bake, "level_content", "needs more levels than the map itself",
                        "give `mips`, for instance 6");
     }
@@ -179,7 +168,7 @@ struct EnvironmentResolver {
     }
 
     void check_camera_in_air() const {
-        const auto* altitude = given_value<double>(bake.at("altitude"));
+        const auto* altitude = bake.value<double>("altitude");
         const Atmosphere& air = recipe.parameters.atmosphere;
         const double thickness_m = air.top_radius.meters - air.ground_radius.meters;
         if (!altitude || thickness_m <= 0 || *altitude < thickness_m) return;
@@ -195,7 +184,7 @@ void resolve_environment(DecodedSection& bake, const RecipeSoFar& recipe, Decode
     const EnvironmentResolver resolver{bake, recipe, decoder};
     resolver.resolve_size();
     resolver.check_levels();
-    const auto* clouds = given_value<std::vector<std::string>>(bake.at("clouds"));
+    const auto* clouds = bake.value<std::vector<std::string>>("clouds");
     if (clouds && !clouds->empty()) resolver.check_clouds(*clouds);
 }
 

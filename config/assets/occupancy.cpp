@@ -58,14 +58,14 @@ struct OccupancyResolver {
     Decoder& decoder;
 
     std::size_t check_contents() const {
-        const DecodedField& decoded = bake.at("contents");
-        if (!decoded.value) return 1;
-        const std::size_t count = std::get<std::vector<ChoiceIndex>>(*decoded.value).size();
-        if (count != 2) return count;
-        decoder.report(
-            "E0129", bake, "contents", "has two channels",
-            "a picture has one, three or four channels: add one, or bake them as two assets");
-        return count;
+        const auto* contents = bake.value<std::vector<ChoiceIndex>>("contents");
+        if (!contents) return 1;
+        if (contents->size() == 2) {
+            decoder.report(
+                "E0129", bake, "contents", "has two channels",
+                "a picture has one, three or four channels: add one, or bake them as two assets");
+        }
+        return contents->size();
     }
 
     // The volume repeats along x and y. Cells that stick out of the tile would repeat with another
@@ -94,17 +94,15 @@ struct OccupancyResolver {
     // more than the level before. Then one texture coordinate does not fit both levels.
     // "all" is as many levels as there are before that.
     void check_cells(const VoxelCounts& cells) const {
-        DecodedField& mips = bake.at("mips");
-        if (!mips.value) return;
-        if (std::get<double>(*mips.value) == 0) mips.value = double{1} * most_levels(cells);
-        const int halvings = static_cast<int>(std::get<double>(*mips.value)) - 1;
+        if (bake.whole("mips") == 0) bake.at("mips").value = double{1} * most_levels(cells);
+        const int halvings = bake.whole("mips").value_or(1) - 1;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             int left = cells[axis];
             int done = 0;
             for (; done < halvings && left % 2 == 0; ++done) left /= 2;
             if (done >= halvings || left == 1) continue;
             decoder.diagnostics.error(
-                "E0150", mips.source->place,
+                "E0150", bake.place_of("mips"),
                 fmt::format("the {} cells of [{}] along {} cannot be halved {} time{}", cells[axis],
                             bake.path, "xyz"[axis], halvings, halvings == 1 ? "" : "s"),
                 fmt::format("use at most {} levels, or another size", done + 1));

@@ -7,7 +7,7 @@
 #include "config/assets/file_decoder.h"
 #include "config/fields/fields.h"
 #include "config/sections/layer.h"
-#include "config/text/key_path.h"
+#include "config/text/mapped.h"
 
 namespace skybake::config {
 namespace {
@@ -75,10 +75,10 @@ VoxelCounts default_size(OpticalDepthTable table) {
 void check_ray_kinds(const DecodedSection& bake, const VoxelCounts& size, int least,
                      Decoder& decoder) {
     if (size[0] >= least) return;
-    report_size(bake,
-                fmt::format("`{}` is {}: its first axis is divided among the kinds of paths",
-                            join_path(bake.path, "size"), voxels_to_string(size)),
-                fmt::format("give it at least {} texels", least), decoder);
+    decoder.report("E0142", bake, "size",
+                   fmt::format("is {}: its first axis is divided among the kinds of paths",
+                               voxels_to_string(size)),
+                   fmt::format("give it at least {} texels", least));
 }
 
 // Fills in the values that depend on the table and the layers. It reports a size that the table
@@ -88,12 +88,10 @@ void resolve_optical_depth(DecodedSection& bake, const RecipeSoFar& recipe, Deco
     const auto table = choice_of<OpticalDepthTable>(bake.at("table"));
     if (!table) return;
     derive(bake.at("size"), default_size(*table));
-    std::vector<std::string> names;
-    for (const Layer& layer : recipe.parameters.atmosphere.layers) names.push_back(layer.name);
-    DecodedField& kinds = bake.at("kinds");
-    derive(kinds, names);
-    const std::size_t count =
-        kinds.value ? std::get<std::vector<std::string>>(*kinds.value).size() : 1;
+    derive(bake.at("kinds"),
+           mapped<std::string>(recipe.parameters.atmosphere.layers, &Layer::name));
+    const auto* kinds = bake.value<std::vector<std::string>>("kinds");
+    const std::size_t count = kinds ? kinds->size() : 1;
     if ((count < 1 || count > most_kinds) && decoder.complete) {
         decoder.report("E0129", bake, "kinds", fmt::format("has {} layers", count),
                        "each has a channel, of which there are one to four; name the layers");
@@ -103,11 +101,9 @@ void resolve_optical_depth(DecodedSection& bake, const RecipeSoFar& recipe, Deco
                                                             : 1;
     resolve_axes_and_files(bake, axes, most_kinds, decoder);
     const auto coordinates = choice_of<BetweenCoordinates>(bake.at("coordinates"));
-    if (axes > 1 && bake.at("size").value) {
-        const bool falls = axes == 3 && coordinates == BetweenCoordinates::distance;
-        check_ray_kinds(bake, std::get<VoxelCounts>(*bake.at("size").value), falls ? 8 : 4,
-                        decoder);
-    }
+    const bool falls = axes == 3 && coordinates == BetweenCoordinates::distance;
+    const auto* size = bake.value<VoxelCounts>("size");
+    if (axes > 1 && size) check_ray_kinds(bake, *size, falls ? 8 : 4, decoder);
 }
 
 std::vector<Read> reads_of(const Parameters& parameters, const OpticalDepthBake&) {

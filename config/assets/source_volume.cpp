@@ -81,7 +81,7 @@ std::vector<std::string> channels_of(const CloudVolumeBake& volume, const Recipe
 
 const CloudVolumeBake* find_source_volume(const DecodedSection& bake, const RecipeSoFar& recipe,
                                           Decoder& decoder, std::string_view key) {
-    const std::string* name = text_of(bake.at(key));
+    const auto* name = bake.value<std::string>(key);
     return name ? find_volume_named(bake, key, *name, recipe, decoder) : nullptr;
 }
 
@@ -100,14 +100,13 @@ const CloudVolumeBake* find_volume_named(const DecodedSection& bake, std::string
 
 void check_source_channel(const DecodedSection& bake, const CloudVolumeBake& volume,
                           const RecipeSoFar& recipe, Decoder& decoder) {
-    const DecodedField& decoded = bake.at("channel");
-    const std::string* name = text_of(decoded);
+    const auto* name = bake.value<std::string>("channel");
     const std::vector<std::string> channels = channels_of(volume, recipe);
     if (!name || name->empty() || channels.empty()) return;
     if (std::ranges::find(channels, *name) != channels.end()) return;
     decoder.report(
         "E0134", bake, "channel",
-        fmt::format(": `{}` has no channel `{}`", *text_of(bake.at("of")), shorten(*name)),
+        fmt::format(": `{}` has no channel `{}`", *bake.value<std::string>("of"), shorten(*name)),
         fmt::format("channel{} {}", channels.size() == 1 ? " is" : "s are",
                     fmt::join(channels, ", ")));
 }
@@ -122,10 +121,9 @@ VoxelCounts cells_of(const CloudVolumeBake& volume, int cell) {
 
 void report_untiled(const DecodedSection& bake, const CloudVolumeBake& volume, int cell,
                     std::size_t axis, Decoder& decoder) {
-    const DecodedField& said = bake.at("cell");
-    const std::string of = shorten(*text_of(bake.at("of")));
+    const std::string of = shorten(*bake.value<std::string>("of"));
     decoder.diagnostics.error(
-        "E0150", said.source ? said.source->place : bake.at("of").source->place,
+        "E0150", bake.place_of("cell", "of"),
         fmt::format("cells of {} voxels do not tile the {} voxel{} of `{}` along {}", cell,
                     volume.size[axis], volume.size[axis] == 1 ? "" : "s", of, "xy"[axis]),
         fmt::format("give `{}` a size that {} divides, or a `cell` that divides the size", of,

@@ -71,14 +71,13 @@ void resolve_cells(const Resolver& resolver, const std::string& refused) {
     const CloudVolumeBake* volume = find_source_volume(bake, resolver.recipe, decoder);
     if (!volume) return;
     check_source_channel(bake, *volume, resolver.recipe, decoder);
-    const DecodedField& decoded = bake.at("cell");
-    if (!decoded.value || volume->size[0] == 0) return;
-    const int cell = static_cast<int>(std::get<double>(*decoded.value));
-    const VoxelCounts cells = cells_of(*volume, cell);
+    const std::optional<int> cell = bake.whole("cell");
+    if (!cell || volume->size[0] == 0) return;
+    const VoxelCounts cells = cells_of(*volume, *cell);
     resolver.check_cells(cells);
     resolve_files(bake, cells, Halving::up, decoder);
-    resolver.check_tiling(*volume, cell);
-    check_cell_cubes(bake, *volume, cell, resolver.recipe, decoder);
+    resolver.check_tiling(*volume, *cell);
+    check_cell_cubes(bake, *volume, *cell, resolver.recipe, decoder);
     check_voxel_count(bake, cells, contents, bake.at("of").source->place, decoder);
 }
 

@@ -4,10 +4,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
 #include <vector>
 
+#include "config/assets/file_decoder.h"
 #include "config/sections/frames.h"
 #include "config/sections/targets.h"
+#include "config/text/mapped.h"
 
 namespace skybake::config {
 namespace {
@@ -16,10 +19,6 @@ namespace {
 std::string_view word_of(const DecodedField& decoded) {
     if (const bool* flag = std::get_if<bool>(&*decoded.value)) return *flag ? "true" : "false";
     return decoded.field->choices[std::get<ChoiceIndex>(*decoded.value).index].name;
-}
-
-void append(const std::vector<std::string_view>& words, std::vector<std::string_view>& all) {
-    all.insert(all.end(), words.begin(), words.end());
 }
 
 // Fills in the keys of one bake for one target.
@@ -55,18 +54,13 @@ class TargetKeys {
     }
 
     void check_formats(const DecodedField& decoded) const {
-        if (!decoded.value) return;
-        std::vector<FileFormat> given;
-        assign(*decoded.field, *decoded.value, given);
-        std::vector<std::string_view> loaded;
-        for (const FileFormat format : use_.formats) loaded.push_back(facts_of(format).name);
-        for (const FileFormat format : given) {
-            const auto& all = use_.formats;
-            if (std::find(all.begin(), all.end(), format) != all.end()) continue;
-            const std::string_view name = facts_of(format).name;
-            refuse(decoded, fmt::format("\"{}\"", name),
-                   fmt::format("it loads {}", fmt::join(loaded, " and ")));
-            return;
+        const auto name_of = [](FileFormat format) { return facts_of(format).name; };
+        const auto& all = use_.formats;
+        for (const FileFormat format : formats_of(bake_)) {
+            if (std::ranges::find(all, format) != all.end()) continue;
+            const auto loaded = mapped<std::string_view>(all, name_of);
+            return refuse(decoded, fmt::format("\"{}\"", name_of(format)),
+                          fmt::format("it loads {}", fmt::join(loaded, " and ")));
         }
     }
 
@@ -99,11 +93,8 @@ class TargetKeys {
         DecodedField& decoded = bake_.at(key.key);
         if (!is_used(*decoded.field)) return;
         const bool is_flag = decoded.field->choices.empty();
-        if (is_flag) {
-            derive(decoded, FieldValue(key.word == "true"));
-        } else {
-            derive(decoded, FieldValue(choice_named(*decoded.field, key.word)));
-        }
+        derive(decoded, is_flag ? FieldValue(key.word == "true")
+                                : FieldValue(choice_named(*decoded.field, key.word)));
         if (!key.is_needed || !decoded.value || word_of(decoded) == key.word) return;
         refuse(decoded, fmt::format("\"{}\"", word_of(decoded)),
                fmt::format("it loads {}", key.word));
@@ -115,10 +106,11 @@ class TargetKeys {
         if (!decoded.value) return;
         std::vector<std::string_view> loaded;
         for (const TargetUse& use : target_.uses) {
-            if (use.assets == use_.assets) append(use.mappings, loaded);
+            if (use.assets == use_.assets)
+                std::ranges::copy(use.mappings, std::back_inserter(loaded));
         }
         const std::string_view word = word_of(decoded);
-        if (std::find(loaded.begin(), loaded.end(), word) != loaded.end()) return;
+        if (std::ranges::find(loaded, word) != loaded.end()) return;
         refuse(decoded, fmt::format("\"{}\"", word),
                fmt::format("it loads {}", fmt::join(loaded, " and ")));
     }
@@ -140,9 +132,7 @@ std::vector<std::string_view> assets_of(const TargetFacts& target) {
     std::vector<std::string_view> assets;
     for (const TargetUse& use : target.uses) {
         for (const std::string_view asset : use.assets) {
-            if (std::find(assets.begin(), assets.end(), asset) == assets.end()) {
-                assets.push_back(asset);
-            }
+            if (std::ranges::find(assets, asset) == assets.end()) assets.push_back(asset);
         }
     }
     return assets;
@@ -170,7 +160,7 @@ void report_no_use(DecodedSection& bake, std::string_view asset, const TargetFac
                                   fmt::format("it loads {}", fmt::join(assets_of(target), ", ")));
         return;
     }
-    decoded.value = FieldValue(chosen(*decoded.field, Target::none));
+    decoded.value = chosen(*decoded.field, Target::none);
     decoder.diagnostics.warning("W0228", bake.place, message,
                                 "its files are the usual ones; `target = \"none\"` says so");
 }

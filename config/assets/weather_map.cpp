@@ -83,10 +83,8 @@ class WeatherMapResolver {
     }
 
     void resolve_size(const Noise& noise) {
-        DecodedField& size = bake_.at("size");
-        if (size.source || noise.size[0] == 0) return;
-        size.value = std::array<int, 2>{noise.size[0], noise.size[1]};
-        size.derived = true;
+        const auto& [width, height, depth] = noise.size;
+        if (width > 0) derive(bake_.at("size"), std::array{width, height});
     }
 
     void resolve_channels() {
@@ -114,12 +112,10 @@ class WeatherMapResolver {
     }
 
     void resolve_yields() {
-        DecodedField& decoded = bake_.at("yields_to");
-        if (!decoded.value) return;
-        const auto& yields = std::get<std::vector<std::string>>(*decoded.value);
-        if (yields.empty()) return;
-        if (yields.size() != names_.size()) return report_count("yields_to", yields.size());
-        for (std::size_t i = 0; i < yields.size(); ++i) check_yield(yields, i);
+        const auto* yields = bake_.value<std::vector<std::string>>("yields_to");
+        if (!yields || yields->empty()) return;
+        if (yields->size() != names_.size()) return report_count("yields_to", yields->size());
+        for (std::size_t i = 0; i < yields->size(); ++i) check_yield(*yields, i);
     }
 
     void check_yield(const std::vector<std::string>& yields, std::size_t channel) const {
@@ -135,16 +131,14 @@ class WeatherMapResolver {
     }
 
     void check_full() const {
-        const DecodedField& covered = bake_.at("covered");
-        const DecodedField& full = bake_.at("full");
-        if (!covered.value || !full.value) return;
-        const auto& shares = std::get<std::vector<double>>(*covered.value);
-        const auto& most = std::get<std::vector<double>>(*full.value);
-        for (std::size_t i = 0; i < std::min(shares.size(), most.size()); ++i) {
-            if (most[i] <= shares[i]) continue;
+        const auto* covered = bake_.value<std::vector<double>>("covered");
+        const auto* full = bake_.value<std::vector<double>>("full");
+        if (!covered || !full) return;
+        for (std::size_t i = 0; i < std::min(covered->size(), full->size()); ++i) {
+            if ((*full)[i] <= (*covered)[i]) continue;
             decoder_.report("E0156", bake_, "full",
                             fmt::format(": {} of a channel cannot be 1 where {} is above 0",
-                                        most[i], shares[i]),
+                                        (*full)[i], (*covered)[i]),
                             "`full` is at most `covered`");
             return;
         }
@@ -176,11 +170,9 @@ void resolve_weather_map(DecodedSection& bake, const RecipeSoFar& recipe, Decode
     resolver.resolve_size(*noise);
     resolver.resolve_channels();
     check_frames(bake, std::array{motion_of(*noise)}, decoder);
-    const DecodedField& size = bake.at("size");
-    if (!size.value) return;
-    const auto [width, height] = std::get<std::array<int, 2>>(*size.value);
-    const std::array<int, 3> voxels = {width, height, 1};
-    OctaveChecks checks(voxels);
+    const auto* size = bake.value<std::array<int, 2>>("size");
+    if (!size) return;
+    OctaveChecks checks({(*size)[0], (*size)[1], 1});
     checks.add(*noise, noise->channels, {.sampling = noise->sampling});
     checks.report(bake.place_of("size", "noise"), decoder);
 }

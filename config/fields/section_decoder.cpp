@@ -9,6 +9,7 @@
 #include "config/fields/field_reader.h"
 #include "config/presets/presets.h"
 #include "config/text/key_path.h"
+#include "config/text/mapped.h"
 #include "config/text/text.h"
 
 namespace skybake::config {
@@ -223,6 +224,16 @@ DecodedField& DecodedSection::at(std::string_view key) {
     return const_cast<DecodedField&>(std::as_const(*this).at(key));
 }
 
+std::optional<double> DecodedSection::number(std::string_view key) const {
+    const auto* found = value<double>(key);
+    return found ? std::optional(*found) : std::nullopt;
+}
+
+std::optional<int> DecodedSection::whole(std::string_view key) const {
+    const auto* found = value<double>(key);
+    return found ? std::optional(static_cast<int>(*found)) : std::nullopt;
+}
+
 const Place& DecodedSection::place_of(std::string_view key, std::string_view other) const {
     if (const Value* source = at(key).source) return source->place;
     return other.empty() ? place : place_of(other);
@@ -238,10 +249,10 @@ void Decoder::report(std::string_view code, const DecodedSection& section, std::
                        std::move(label));
 }
 
-void check_name(const std::string& name, const std::string& path, std::string_view what,
-                const Place& place, Decoder& decoder) {
-    if (is_bare_key(name)) return;
-    decoder.diagnostics.error("E0117", place,
+void check_name(const Entry& entry, const std::string& path, std::string_view what,
+                Decoder& decoder) {
+    if (is_bare_key(entry.key)) return;
+    decoder.diagnostics.error("E0117", entry.key_place,
                               fmt::format("[{}] cannot be the name of {}", shorten(path), what),
                               "use only letters, digits, `_` and `-`");
 }
@@ -274,6 +285,13 @@ const Table* named_table(const Entry& entry, const std::string& path, Decoder& d
     return nullptr;
 }
 
+std::vector<const Entry*> in_reading_order(const Table& table) {
+    auto entries = mapped<const Entry*>(table, [](const Entry& entry) { return &entry; });
+    std::ranges::stable_sort(entries, {},
+                             [](const Entry* entry) { return reading_order(entry->key_place); });
+    return entries;
+}
+
 void append_values(const DecodedSection& section, Decoder& decoder) {
     for (const DecodedField& decoded : section.fields) {
         if (!decoded.value) continue;
@@ -298,14 +316,10 @@ void append_values(const DecodedSection& section, Decoder& decoder) {
     }
 }
 
-const std::string* text_of(const DecodedField& decoded) {
-    return decoded.value ? std::get_if<std::string>(&*decoded.value) : nullptr;
-}
-
 void report_unknown_name(const DecodedSection& section, std::string_view key,
                          std::span<const std::string_view> names, const ReferenceWords& words,
                          Decoder& decoder) {
-    const std::string& name = *text_of(section.at(key));
+    const std::string& name = *section.value<std::string>(key);
     std::string label = did_you_mean(name, names);
     if (label.empty()) label = what_to_write(words, name);
     if (label.empty() && names.empty()) label = fmt::format("the recipe has no {}", words.section);

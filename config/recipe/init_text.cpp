@@ -34,13 +34,9 @@ std::string head(const Preset& preset, std::string_view full_name) {
 // Returns what the table, or else the default, chooses for a selector such as `profile`.
 std::string selected_name(const Section& section, const Table& table, std::string_view selector) {
     const Entry* entry = find_entry(table, selector);
-    if (entry) {
-        const auto* text = std::get_if<std::string>(&entry->value.data);
-        return text ? *text : "";
-    }
-    const Field* field = find_field(section, selector);
-    const std::optional<Value> fallback = field ? parse_toml_value(field->fallback) : std::nullopt;
-    const auto* text = fallback ? std::get_if<std::string>(&fallback->data) : nullptr;
+    const std::optional<Value> value =
+        entry ? entry->value : parse_toml_value(find_field(section, selector)->fallback);
+    const auto* text = value ? std::get_if<std::string>(&value->data) : nullptr;
     return text ? *text : "";
 }
 
@@ -119,9 +115,7 @@ std::vector<const Entry*> named_tables(const Table& table, std::string_view key)
     const Table* below = find_table(table, key);
     if (!below) return entries;
     for (const Entry& entry : *below) entries.push_back(&entry);
-    std::ranges::sort(entries, [](const Entry* a, const Entry* b) {
-        return a->key_place.line < b->key_place.line;
-    });
+    std::ranges::sort(entries, {}, [](const Entry* entry) { return entry->key_place.line; });
     return entries;
 }
 

@@ -70,7 +70,7 @@ constexpr Choice ground_choices[] = {
     {Ground::mars, "mars", "mean of Mars: 0.09 in blue, 0.25 in red (Mallama et al. 2017)"},
 };
 
-const RootField root_table[] = {
+const Row<Parameters> root_table[] = {
     {"format", Kind::integer, nullptr, "version of the recipe's language, which may be left out",
      Range{1, 1}, Default{"1"}, RangeCode{"E0119"}, KeyFlag::only_shown},
     {"preset", Kind::text, nullptr, "name of a preset to start from, without its [bake.*] sections",
@@ -88,7 +88,7 @@ const RootField root_table[] = {
      Role::usual},
 };
 
-const AtmosphereField atmosphere_table[] = {
+const Row<Atmosphere> atmosphere_table[] = {
     {"ground_radius", Kind::length, &Atmosphere::ground_radius,
      "distance from the planet's centre to the ground", radius_range, KeyFlag::required,
      Hint{"the Earth has 6371 km"}, Role::geometry},
@@ -104,7 +104,7 @@ const AtmosphereField atmosphere_table[] = {
      Role::ground},
 };
 
-const LayerField layer_table[] = {
+const Row<Layer> layer_table[] = {
     {"preset", Kind::text, nullptr, "name of a preset of a layer to start from",
      KeyFlag::only_shown},
     {"enabled", Kind::flag, &Layer::enabled, "false drops the layer", Default{"true"},
@@ -204,10 +204,10 @@ const LayerField layer_table[] = {
 
 }  // namespace
 
-std::span<const RootField> root_fields() { return root_table; }
+std::span<const Row<Parameters>> root_fields() { return root_table; }
 
-std::span<const AtmosphereField> atmosphere_fields() { return atmosphere_table; }
+std::span<const Row<Atmosphere>> atmosphere_fields() { return atmosphere_table; }
 
-std::span<const LayerField> layer_fields() { return layer_table; }
+std::span<const Row<Layer>> layer_fields() { return layer_table; }
 
 }  // namespace skybake::config

@@ -1,6 +1,6 @@
-#include <array>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "config/fields/fields.h"
 #include "config/sections/sections.h"
@@ -33,7 +33,7 @@ constexpr Choice color_space_choices[] = {
     {MapColorSpace::srgb, "srgb", "numbers converted from the sRGB curve to linear light"},
 };
 
-const HeightProfileField height_profile_table[] = {
+const Row<HeightProfile> height_profile_table[] = {
     {"type", Kind::choice, &HeightProfile::type,
      "how full the cloud is at height h, from 0 at the base to 1 at the top",
      height_profile_choices, Default{R"("cumulus")"}, Cited{schneider_2015}},
@@ -52,43 +52,37 @@ const HeightProfileField height_profile_table[] = {
 };
 
 // Both maps have the same keys. They differ in what their numbers mean.
-constexpr std::string_view coverage_file = "picture whose numbers multiply coverage";
-constexpr std::string_view type_file = "picture whose numbers replace cloud_type";
-
-std::array<CloudMapField, 7> map_table(std::string_view file_documentation) {
+std::vector<Row<CloudMap>> map_table(std::string_view file_documentation) {
     return {
-        CloudMapField{"file", Kind::text, &CloudMap::file, file_documentation, KeyFlag::required,
-                      Hint{"relative to the folder of the recipe that names it"}},
-        CloudMapField{"channel", Kind::text, &CloudMap::channel,
-                      "channel of the picture; its first by default", Hint{"for example \"R\""}},
-        CloudMapField{"wrap", Kind::choice, &CloudMap::wrap,
-                      "what lies beyond the picture's border", wrap_choices,
-                      Default{R"("repeat")"}},
-        CloudMapField{"filter", Kind::choice, &CloudMap::filter,
-                      "what lies between the picture's pixels", filter_choices,
-                      Default{R"("linear")"}},
-        CloudMapField{"color_space", Kind::choice, &CloudMap::color_space,
-                      "how the picture stores its numbers", color_space_choices,
-                      Default{R"("linear")"}},
-        CloudMapField{"factor", Kind::number, &CloudMap::factor,
-                      "factor from the picture's linear numbers to the map's", Range{1e-9, 1e9},
-                      Default{"1"}, Hint{"a map's numbers are from 0 to 1"}},
-        CloudMapField{"clamp", Kind::flag, &CloudMap::clamp,
-                      "whether numbers below 0 become 0 and those above 1 become 1",
-                      Default{"false"}, Hint{"without it they are an error"}},
+        {"file", Kind::text, &CloudMap::file, file_documentation, KeyFlag::required,
+         Hint{"relative to the folder of the recipe that names it"}},
+        {"channel", Kind::text, &CloudMap::channel, "channel of the picture; its first by default",
+         Hint{"for example \"R\""}},
+        {"wrap", Kind::choice, &CloudMap::wrap, "what lies beyond the picture's border",
+         wrap_choices, Default{R"("repeat")"}},
+        {"filter", Kind::choice, &CloudMap::filter, "what lies between the picture's pixels",
+         filter_choices, Default{R"("linear")"}},
+        {"color_space", Kind::choice, &CloudMap::color_space, "how the picture stores its numbers",
+         color_space_choices, Default{R"("linear")"}},
+        {"factor", Kind::number, &CloudMap::factor,
+         "factor from the picture's linear numbers to the map's", Range{1e-9, 1e9}, Default{"1"},
+         Hint{"a map's numbers are from 0 to 1"}},
+        {"clamp", Kind::flag, &CloudMap::clamp,
+         "whether numbers below 0 become 0 and those above 1 become 1", Default{"false"},
+         Hint{"without it they are an error"}},
     };
 }
 
-const std::array coverage_map_table = map_table(coverage_file);
-const std::array type_map_table = map_table(type_file);
+const auto coverage_map_table = map_table("picture whose numbers multiply coverage");
+const auto type_map_table = map_table("picture whose numbers replace cloud_type");
 
 }  // namespace
 
-std::span<const HeightProfileField> height_profile_fields() { return height_profile_table; }
+std::span<const Row<HeightProfile>> height_profile_fields() { return height_profile_table; }
 
-std::span<const CloudMapField> coverage_map_fields() { return coverage_map_table; }
+std::span<const Row<CloudMap>> coverage_map_fields() { return coverage_map_table; }
 
-std::span<const CloudMapField> type_map_fields() { return type_map_table; }
+std::span<const Row<CloudMap>> type_map_fields() { return type_map_table; }
 
 namespace {
 
@@ -104,8 +98,7 @@ constexpr Choice water_choices[] = {
     {CloudWater::even, "even", "full cloud is as dense at its base as at its top"},
     {CloudWater::rising, "rising",
      "the density is h^(2/3) times that: the water of air that rises grows with the height, and "
-     "its "
-     "droplets are as many at all heights"},
+     "its droplets are as many at all heights"},
 };
 constexpr Choice channels_choices[] = {
     {CloudChannels::density, "density", "one channel, the density"},
@@ -113,15 +106,14 @@ constexpr Choice channels_choices[] = {
      "the channels of the noise: R and G are shaped, B and A are plain"},
     {CloudChannels::velocity, "velocity",
      "the density of a cloud that grows, and where it is not 0 the velocity of its flow in m/s "
-     "along "
-     "x, y and z, less the wind that carries the cloud"},
+     "along x, y and z, less the wind that carries the cloud"},
 };
 constexpr Choice shape_choices[] = {
     {CloudShape::convection, "convection",
      "warm air that rises and condenses: the table convection"},
 };
 
-const CloudField cloud_table[] = {
+const Row<Cloud> cloud_table[] = {
     {"preset", Kind::text, nullptr,
      "name of a cloud preset to start from, which the section's keys override",
      KeyFlag::only_shown},
@@ -230,6 +222,6 @@ const CloudField cloud_table[] = {
 
 }  // namespace
 
-std::span<const CloudField> cloud_fields() { return cloud_table; }
+std::span<const Row<Cloud>> cloud_fields() { return cloud_table; }
 
 }  // namespace skybake::config

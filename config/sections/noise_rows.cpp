@@ -1,7 +1,5 @@
-#include <initializer_list>
 #include <span>
 #include <string_view>
-#include <vector>
 
 #include "config/fields/fields.h"
 #include "config/sections/sections.h"
@@ -34,7 +32,7 @@ constexpr Choice pack_choices[] = {
     {NoisePacking::detail, "detail", "of R, G and B: 0.625 R + 0.25 G + 0.125 B"},
 };
 
-const NoiseField noise_table[] = {
+const Row<Noise> noise_table[] = {
     {"preset", Kind::text, nullptr,
      "name of a noise preset to start from, which the section's keys override",
      KeyFlag::only_shown},
@@ -90,55 +88,6 @@ constexpr Choice warp_choices[] = {
 constexpr Words warped = {"perlin", "worley", "perlin_worley", "alligator", "curly_alligator"};
 constexpr Words with_worley = {"worley", "perlin_worley"};
 
-const NoiseChannelField cellular_table[] = {
-    {"worley_frequency", Kind::frequency, nullptr, "frequency of the cellular part",
-     frequency_range, Default{"4"}, Exclusive{"worley_frequencies", "series"},
-     When{"type", "perlin_worley"}, KeyFlag::only_shown},
-    {"worley_octaves", Kind::integer, nullptr, "octaves of the cellular part", octave_range,
-     Default{"3"}, Exclusive{"worley_frequencies", "series"}, When{"type", "perlin_worley"},
-     KeyFlag::only_shown},
-    {"worley_lacunarity", Kind::integer, nullptr, "lacunarity of the cellular part",
-     lacunarity_range, Default{"2"}, Exclusive{"worley_frequencies", "series"},
-     When{"type", "perlin_worley"}, KeyFlag::only_shown},
-    {"worley_frequencies", Kind::frequencies, nullptr, "frequencies of the cellular part",
-     frequency_range, Exclusive{"worley_frequencies"}, When{"type", "perlin_worley"}},
-    {"worley_gain", Kind::number, nullptr, "gain of the cellular part", gain_range, Default{"0.5"},
-     Exclusive{"worley_gains"}, When{"type", "perlin_worley"}, KeyFlag::only_shown},
-    {"worley_gains", Kind::gains, nullptr, "gains of the cellular part", gains_range,
-     Hint{"cloud shapes have [0.625, 0.25, 0.125]"}, Exclusive{"worley_gains"},
-     When{"type", "perlin_worley"}, Cited{schneider_2015}},
-    {"feature", Kind::choice, &NoiseChannel::feature, "which distance d of cellular noise",
-     feature_choices, Default{R"("f1")"}, When{"type", with_worley},
-     Cited{"Worley 1996, A Cellular Texture Basis Function"}},
-    {"value_form", Kind::choice, &NoiseChannel::value_form, "value of cellular noise at distance d",
-     value_form_choices, Default{R"("one_minus_distance")"}, When{"type", with_worley}},
-};
-
-const NoiseChannelField displacement_table[] = {
-    {"warp_strength", Kind::number, &NoiseChannel::warp_strength,
-     "displacement, in tiles, where the noise that displaces is 1", Range{-16, 16},
-     Hint{"a quarter of a cell of the first octave curls the noise; metres are divided by the "
-          "length of the tile"},
-     When{"type", warped}, Cited{"Perlin 1985, An Image Synthesizer"}},
-    {"warp_by", Kind::choice, &NoiseChannel::warp_by, "the noise that displaces, by default curl",
-     warp_choices, When{"type", warped}, Cited{bridson_2007}},
-    {"warp_frequency", Kind::frequency, nullptr, "frequency of the noise that displaces",
-     frequency_range, Default{"4"}, Exclusive{"warp_frequencies", "series"}, When{"type", warped},
-     KeyFlag::only_shown},
-    {"warp_octaves", Kind::integer, nullptr, "octaves of the noise that displaces", octave_range,
-     Default{"1"}, Exclusive{"warp_frequencies", "series"}, When{"type", warped},
-     KeyFlag::only_shown},
-    {"warp_lacunarity", Kind::integer, nullptr, "lacunarity of the noise that displaces",
-     lacunarity_range, Default{"2"}, Exclusive{"warp_frequencies", "series"}, When{"type", warped},
-     KeyFlag::only_shown},
-    {"warp_frequencies", Kind::frequencies, nullptr, "frequencies of the noise that displaces",
-     frequency_range, Exclusive{"warp_frequencies"}, When{"type", warped}},
-    {"warp_gain", Kind::number, nullptr, "gain of the noise that displaces", gain_range,
-     Default{"0.5"}, Exclusive{"warp_gains"}, When{"type", warped}, KeyFlag::only_shown},
-    {"warp_gains", Kind::gains, nullptr, "gains of the noise that displaces", gains_range,
-     Exclusive{"warp_gains"}, When{"type", warped}},
-};
-
 constexpr Range value_range{-1e6, 1e6};
 constexpr Range bias_range{0.001, 0.999};  // beyond it, single precision divides by 0
 
@@ -172,7 +121,7 @@ constexpr Choice component_choices[] = {
 constexpr Words noises = {"perlin", "worley",    "perlin_worley",
                           "curl",   "alligator", "curly_alligator"};
 
-const NoiseChannelField octave_table[] = {
+const Row<NoiseChannel> channel_table[] = {
     {"type", Kind::choice, &NoiseChannel::type, "kind of noise", type_choices, KeyFlag::required,
      Cited{
          "Perlin 2002, Improving Noise; Worley 1996, A Cellular Texture Basis Function; alligator: "
@@ -201,15 +150,52 @@ const NoiseChannelField octave_table[] = {
     {"fractal", Kind::choice, &NoiseChannel::fractal, "how octaves of gradient noise are summed",
      fractal_choices, Default{R"("fbm")"}, When{"type", {"perlin", "perlin_worley"}},
      Cited{musgrave_1994}},
-};
-
-const NoiseChannelField curl_table[] = {
+    {"worley_frequency", Kind::frequency, nullptr, "frequency of the cellular part",
+     frequency_range, Default{"4"}, Exclusive{"worley_frequencies", "series"},
+     When{"type", "perlin_worley"}, KeyFlag::only_shown},
+    {"worley_octaves", Kind::integer, nullptr, "octaves of the cellular part", octave_range,
+     Default{"3"}, Exclusive{"worley_frequencies", "series"}, When{"type", "perlin_worley"},
+     KeyFlag::only_shown},
+    {"worley_lacunarity", Kind::integer, nullptr, "lacunarity of the cellular part",
+     lacunarity_range, Default{"2"}, Exclusive{"worley_frequencies", "series"},
+     When{"type", "perlin_worley"}, KeyFlag::only_shown},
+    {"worley_frequencies", Kind::frequencies, nullptr, "frequencies of the cellular part",
+     frequency_range, Exclusive{"worley_frequencies"}, When{"type", "perlin_worley"}},
+    {"worley_gain", Kind::number, nullptr, "gain of the cellular part", gain_range, Default{"0.5"},
+     Exclusive{"worley_gains"}, When{"type", "perlin_worley"}, KeyFlag::only_shown},
+    {"worley_gains", Kind::gains, nullptr, "gains of the cellular part", gains_range,
+     Hint{"cloud shapes have [0.625, 0.25, 0.125]"}, Exclusive{"worley_gains"},
+     When{"type", "perlin_worley"}, Cited{schneider_2015}},
+    {"feature", Kind::choice, &NoiseChannel::feature, "which distance d of cellular noise",
+     feature_choices, Default{R"("f1")"}, When{"type", with_worley},
+     Cited{"Worley 1996, A Cellular Texture Basis Function"}},
+    {"value_form", Kind::choice, &NoiseChannel::value_form, "value of cellular noise at distance d",
+     value_form_choices, Default{R"("one_minus_distance")"}, When{"type", with_worley}},
     {"component", Kind::choice, &NoiseChannel::component, "which component of the curl",
      component_choices, Default{R"("x")"}, When{"type", "curl"}, Cited{bridson_2007}},
-};
-
-// These make the value of the octaves into that of the channel.
-const NoiseChannelField value_table[] = {
+    {"warp_strength", Kind::number, &NoiseChannel::warp_strength,
+     "displacement, in tiles, where the noise that displaces is 1", Range{-16, 16},
+     Hint{"a quarter of a cell of the first octave curls the noise; metres are divided by the "
+          "length of the tile"},
+     When{"type", warped}, Cited{"Perlin 1985, An Image Synthesizer"}},
+    {"warp_by", Kind::choice, &NoiseChannel::warp_by, "the noise that displaces, by default curl",
+     warp_choices, When{"type", warped}, Cited{bridson_2007}},
+    {"warp_frequency", Kind::frequency, nullptr, "frequency of the noise that displaces",
+     frequency_range, Default{"4"}, Exclusive{"warp_frequencies", "series"}, When{"type", warped},
+     KeyFlag::only_shown},
+    {"warp_octaves", Kind::integer, nullptr, "octaves of the noise that displaces", octave_range,
+     Default{"1"}, Exclusive{"warp_frequencies", "series"}, When{"type", warped},
+     KeyFlag::only_shown},
+    {"warp_lacunarity", Kind::integer, nullptr, "lacunarity of the noise that displaces",
+     lacunarity_range, Default{"2"}, Exclusive{"warp_frequencies", "series"}, When{"type", warped},
+     KeyFlag::only_shown},
+    {"warp_frequencies", Kind::frequencies, nullptr, "frequencies of the noise that displaces",
+     frequency_range, Exclusive{"warp_frequencies"}, When{"type", warped}},
+    {"warp_gain", Kind::number, nullptr, "gain of the noise that displaces", gain_range,
+     Default{"0.5"}, Exclusive{"warp_gains"}, When{"type", warped}, KeyFlag::only_shown},
+    {"warp_gains", Kind::gains, nullptr, "gains of the noise that displaces", gains_range,
+     Exclusive{"warp_gains"}, When{"type", warped}},
+    // These make the value of the octaves into that of the channel.
     {"seed", Kind::seed, &NoiseChannel::seed,
      "seed that is combined with the noise's and makes channels of equal keys differ", Default{"0"},
      When{"type", noises}},
@@ -230,21 +216,10 @@ const NoiseChannelField value_table[] = {
      Hint{"integer pixel types hold only [0, 1]"}},
 };
 
-std::vector<NoiseChannelField> joined(
-    std::initializer_list<std::span<const NoiseChannelField>> tables) {
-    std::vector<NoiseChannelField> rows;
-    for (const auto& table : tables) rows.insert(rows.end(), table.begin(), table.end());
-    return rows;
-}
-
 }  // namespace
 
-std::span<const NoiseField> noise_fields() { return noise_table; }
+std::span<const Row<Noise>> noise_fields() { return noise_table; }
 
-std::span<const NoiseChannelField> noise_channel_fields() {
-    static const std::vector<NoiseChannelField> rows =
-        joined({octave_table, cellular_table, curl_table, displacement_table, value_table});
-    return rows;
-}
+std::span<const Row<NoiseChannel>> noise_channel_fields() { return channel_table; }
 
 }  // namespace skybake::config

@@ -81,7 +81,7 @@ constexpr Choice sizes_choices[] = {
 
 constexpr Words distributed = {"log_normal", "gamma", "modified_gamma"};
 
-const ParticlesField particles_table[] = {
+const Row<Particles> particles_table[] = {
     {"preset", Kind::text, nullptr, "name of a preset of particles to start from",
      KeyFlag::only_shown},
     {"material", Kind::choice, &Particles::material, "what the spheres are made of",
@@ -131,16 +131,14 @@ const ParticlesField particles_table[] = {
 
 }  // namespace
 
-Particles decode_particles(const std::string& name, const Place& place, const Table& table,
-                           std::span<const Length> wavelengths, Decoder& decoder) {
-    const std::string path = join_path("particles", name);
-    check_name(name, path, "particles", place, decoder);
-    const DecodedSection section = decode_section(*find_section("particles.*"), path, place, table,
-                                                  Absent::filled_in, decoder);
-    append_values(section, decoder);
+Particles decode_particles(const Entry& entry, std::span<const Length> wavelengths,
+                           Decoder& decoder) {
+    const std::string path = join_path("particles", entry.key);
+    check_name(entry, path, "particles", decoder);
     Particles particles;
-    particles.name = name;
-    bind_section(section, particles_fields(), particles);
+    particles.name = entry.key;
+    const DecodedSection section = decode_into(particles, particles_fields(), "particles.*", path,
+                                               entry.key_place, *as_table(entry.value), decoder);
     if (!decoder.diagnostics.has_errors()) {
         check_material(section, particles, wavelengths, decoder);
         check_radii(section, particles, decoder);
@@ -161,6 +159,6 @@ WavelengthRange range_of(const Particles& particles) {
     return {{0}, {std::numeric_limits<double>::infinity()}};
 }
 
-std::span<const ParticlesField> particles_fields() { return particles_table; }
+std::span<const Row<Particles>> particles_fields() { return particles_table; }
 
 }  // namespace skybake::config

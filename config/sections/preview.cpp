@@ -48,7 +48,7 @@ constexpr std::string_view by_angles = "angles";
 
 // The keys have no default values. So the parameters that a manifest records have only keys that the
 // recipe gives, which its pictures use.
-const PreviewField preview_table[] = {
+const Row<Preview> preview_table[] = {
     {"size", Kind::size, &Preview::size, "width and height of pictures of clouds, in pixels",
      Range{16, 8192}, Hint{"960 x 540 without it"}},
     {"single", Kind::flag, &Preview::single,
@@ -79,7 +79,7 @@ const PreviewField preview_table[] = {
      Hint{"without it, there is no glare"}},
 };
 
-const PreviewCameraField camera_table[] = {
+const Row<PreviewCamera> camera_table[] = {
     {"position", Kind::lengths, &PreviewCamera::position,
      "x and y from the tile's corner, and the altitude above the ground", Range{-1e7, 1e7}},
     {"heading", Kind::angle, &PreviewCamera::heading, "where the camera looks, from +x towards +y",
@@ -96,9 +96,9 @@ bool is_one_of(std::string_view key, std::initializer_list<std::string_view> key
 
 }  // namespace
 
-std::span<const PreviewField> preview_fields() { return preview_table; }
+std::span<const Row<Preview>> preview_fields() { return preview_table; }
 
-std::span<const PreviewCameraField> preview_camera_fields() { return camera_table; }
+std::span<const Row<PreviewCamera>> preview_camera_fields() { return camera_table; }
 
 std::string_view why_unused(std::string_view key, const PicturesOfLight& pictures) {
     if (is_one_of(key, {"altitude", "glare"}) && !pictures.sky) {

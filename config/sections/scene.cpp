@@ -20,7 +20,7 @@ constexpr Choice draws_choices[] = {
     {Draws::clouds, "clouds", "each of [clouds] in sunlight"},
 };
 
-const SceneField scene_table[] = {
+const Row<Scene> scene_table[] = {
     {"altitude", Kind::length_bounds, &Scene::altitude,
      "altitudes of the cameras, from the lowest to the highest", camera_altitude_range,
      Default{R"(["0 km", "3 km"])"}},
@@ -54,6 +54,6 @@ const SceneField scene_table[] = {
 
 }  // namespace
 
-std::span<const SceneField> scene_fields() { return scene_table; }
+std::span<const Row<Scene>> scene_fields() { return scene_table; }
 
 }  // namespace skybake::config

@@ -55,7 +55,7 @@ bool is_whole(double tiles) { return tiles == std::floor(tiles); }
 constexpr ValueKind life_kind = list_kind("three numbers, such as [0.4, 0.3, 0.3]", read_triple,
                                           numbers_schema, &Scales::plain, 3, 3);
 
-const TowerField tower_table[] = {
+const Row<Tower> tower_table[] = {
     {"center", Kind::pair, &Tower::center, "x and y of the tower's middle, in tiles",
      Range{-16, 16}, KeyFlag::required, Hint{"[0.5, 0.5] is the middle of the cloud"},
      Cited{olajos_2016}},
@@ -88,7 +88,7 @@ constexpr Range inversion_range{1e-4, 1e8};   // 0.7 times any extent lies withi
 constexpr Range temperature_range{240, 308};  // Bolton's formula of saturation holds
 constexpr Range wind_range{-200, 200};
 
-const ConvectionField convection_table[] = {
+const Row<Convection> convection_table[] = {
     {"cells", Kind::voxels, &Convection::cells,
      "cells over the cloud's extent along x, y and z, in which the air moves", Range{8, 512},
      KeyFlag::required, Hint{"products of 2, 3 and 5, along x and y even; edges of 20 to 50 m"}},
@@ -206,8 +206,8 @@ double narrowest_sigma(const Tower& tower, const std::array<int, 3>& size) {
     return std::sqrt(std::max(0.0, lesser));  // rounding may take it below 0
 }
 
-std::span<const TowerField> tower_fields() { return tower_table; }
+std::span<const Row<Tower>> tower_fields() { return tower_table; }
 
-std::span<const ConvectionField> convection_fields() { return convection_table; }
+std::span<const Row<Convection>> convection_fields() { return convection_table; }
 
 }  // namespace skybake::config

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
 
 #include "config/fields/fields.h"
 #include "config/fields/section_decoder.h"
@@ -11,64 +12,38 @@
 #include "config/text/key_path.h"
 
 namespace skybake::config {
-
 namespace {
 
 VolumeProbe the_probe = nullptr;
 
-// This is one volume while its keys are checked.
-struct VolumeDecoder {
-    const DecodedSection& section;
-    VolumeFile& volume;
-    Decoder& decoder;
+// Reports one of two keys that need each other.
+void check_pair(const DecodedSection& section, std::string_view first, std::string_view second,
+                Decoder& decoder) {
+    if (section.gives(first) == section.gives(second) || !decoder.complete) return;
+    if (!section.gives(first)) std::swap(first, second);
+    decoder.report("E0105", section, first, fmt::format("needs {} beside it", second),
+                   fmt::format("give {}, or leave both out", second));
+}
 
-    bool gives(std::string_view key) const { return section.at(key).source != nullptr; }
+// Each length is above 0, where the key is given at all.
+void check_positive(const DecodedSection& section, std::string_view key, Decoder& decoder) {
+    const auto* lengths = section.value<std::array<double, 3>>(key);
+    if (!lengths || std::ranges::all_of(*lengths, [](double meters) { return meters > 0; })) return;
+    decoder.report("E0110", section, key, "has a length that is not above 0",
+                   "give three lengths above 0");
+}
 
-    // Files are looked for where includes are: in the folder of the recipe that names them.
-    void resolve_path() const {
-        const DecodedField& file = section.at("file");
-        if (!file.source || !file.value) return;
-        if (volume.file.empty()) {
-            return decoder.report("E0110", section, "file", "is empty",
-                                  "give the name of a volume's file");
-        }
-        const Source* source = file.source->place.source;
-        const std::filesystem::path folder = source ? source->folder : std::filesystem::path();
-        volume.file_place = source_range(file.source->place);
-        volume.path = (folder / volume.file).lexically_normal();
-    }
-
-    void check_pair(std::string_view first, std::string_view second) const {
-        if (gives(first) == gives(second) || !decoder.complete) return;
-        const std::string_view missing = gives(first) ? second : first;
-        decoder.report("E0105", section, gives(first) ? first : second,
-                       fmt::format("needs {} beside it", missing),
-                       fmt::format("give {}, or leave both out", missing));
-    }
-
-    // Each length is above 0, where the key is given at all.
-    void check_positive(std::string_view key, const std::array<Length, 3>& lengths) const {
-        const auto is_positive = [](Length length) { return length.meters > 0; };
-        if (!section.at(key).value) return;
-        if (std::ranges::all_of(lengths, is_positive)) return;
-        decoder.report("E0110", section, key, "has a length that is not above 0",
-                       "give three lengths above 0");
-    }
-
-    void check_keys() const {
-        check_pair("crop_first", "crop_size");
-        check_pair("crop_corner", "crop_extent");
-        check_positive("voxel_size", volume.voxel_size);
-        check_positive("crop_extent", volume.crop_extent);
-        const bool is_grid =
-            volume.format == VolumeFormat::vdb || volume.format == VolumeFormat::nvdb;
-        const bool says_size = is_grid || gives("voxel_size");
-        if (says_size || !decoder.complete) return;
-        decoder.report("E0105", section, "voxel_size",
-                       "is missing: these files do not say how large a voxel is",
-                       "give three lengths, such as [\"10 m\", \"10 m\", \"10 m\"]");
-    }
-};
+void check_keys(const DecodedSection& section, VolumeFormat format, Decoder& decoder) {
+    check_pair(section, "crop_first", "crop_size", decoder);
+    check_pair(section, "crop_corner", "crop_extent", decoder);
+    check_positive(section, "voxel_size", decoder);
+    check_positive(section, "crop_extent", decoder);
+    const bool says_size = format != VolumeFormat::raw || section.gives("voxel_size");
+    if (says_size || !decoder.complete) return;
+    decoder.report("E0105", section, "voxel_size",
+                   "is missing: these files do not say how large a voxel is",
+                   "give three lengths, such as [\"10 m\", \"10 m\", \"10 m\"]");
+}
 
 constexpr Choice volume_format_choices[] = {
     {VolumeFormat::vdb, "vdb", "an OpenVDB file with a grid of float, double, int32 or int64"},
@@ -107,7 +82,7 @@ constexpr Choice volume_not_finite_choices[] = {
     {NotFinite::background, "background", "the file's background, 0 for raw"},
 };
 
-const VolumeField volume_table[] = {
+const Row<VolumeFile> volume_table[] = {
     {"file", Kind::text, &VolumeFile::file, "the volume's file", KeyFlag::required,
      Hint{"for example \"cloud.vdb\"; relative to the folder of the recipe"}},
     {"format", Kind::choice, &VolumeFile::format, "what the file is", volume_format_choices,
@@ -163,22 +138,30 @@ void set_volume_probe(VolumeProbe probe) { the_probe = probe; }
 
 VolumeProbe volume_probe() { return the_probe; }
 
-VolumeFile decode_volume(const std::string& name, const Place& place, const Table& table,
-                         Place& file_place, Decoder& decoder) {
-    const std::string path = join_path("volumes", name);
+std::filesystem::path path_of_file(const DecodedSection& section, std::string_view what,
+                                   Decoder& decoder) {
+    const auto* name = section.value<std::string>("file");
+    if (!name) return {};
+    if (name->empty()) {
+        decoder.report("E0110", section, "file", "is empty",
+                       fmt::format("give the name of {}", what));
+        return {};
+    }
+    return (section.place_of("file").source->folder / *name).lexically_normal();
+}
+
+VolumeFile decode_volume(const Entry& entry, Decoder& decoder) {
     VolumeFile volume;
-    volume.name = name;
+    volume.name = entry.key;
     const DecodedSection section =
-        decode_section(*find_section("volumes.*"), path, place, table, Absent::filled_in, decoder);
-    append_values(section, decoder);
-    bind_section(section, volume_fields(), volume);
-    const VolumeDecoder reader{section, volume, decoder};
-    reader.resolve_path();
-    reader.check_keys();
-    file_place = section.place_of("file");
+        decode_into(volume, volume_fields(), "volumes.*", join_path("volumes", entry.key),
+                    entry.key_place, *as_table(entry.value), decoder);
+    volume.path = path_of_file(section, "a volume's file", decoder);
+    if (!volume.path.empty()) volume.file_place = source_range(section.place_of("file"));
+    check_keys(section, volume.format, decoder);
     return volume;
 }
 
-std::span<const VolumeField> volume_fields() { return volume_table; }
+std::span<const Row<VolumeFile>> volume_fields() { return volume_table; }
 
 }  // namespace skybake::config
