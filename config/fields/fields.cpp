@@ -1,9 +1,13 @@
 #include "config/fields/fields.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 
 #include "config/text/key_path.h"
 #include "config/text/mapped.h"
+#include "config/text/text.h"
 
 namespace skybake::config {
 
@@ -23,14 +27,8 @@ std::vector<std::string_view> choice_names(const Field& field) {
 }
 
 std::vector<std::string_view> path_names(const Section& section) {
-    std::vector<std::string_view> names;
-    std::string_view rest = section.path;
-    while (!rest.empty()) {
-        const std::size_t end = std::min(rest.find('.'), rest.size());
-        names.push_back(rest.substr(0, end));
-        rest.remove_prefix(std::min(end + 1, rest.size()));
-    }
-    return names;
+    return section.path.empty() ? std::vector<std::string_view>{}
+                                : pieces_between(section.path, '.');
 }
 
 bool names_fit(std::span<const std::string> names, const Section& section) {
@@ -58,17 +56,14 @@ std::string describe_range(const Field& field) {
     const auto text = field.kind.scale->bound_to_string;
     const Range& range = field.range;
     if (range.minimum == range.maximum) return text(range.minimum);
-    return std::string(range.or_zero ? "0 or in " : "in ") + (range.open_minimum ? "(" : "[") +
-           text(range.minimum) + ", " + text(range.maximum) + (range.open_maximum ? ")" : "]");
+    return fmt::format("{}in {}{}, {}{}", range.or_zero ? "0 or " : "",
+                       range.open_minimum ? "(" : "[", text(range.minimum), text(range.maximum),
+                       range.open_maximum ? ")" : "]");
 }
 
 std::string describe_choices(const Field& field) {
-    std::string text;
-    for (const Choice& choice : field.choices) {
-        if (!text.empty()) text += ", ";
-        text += '`' + std::string(choice.name) + '`';
-    }
-    return text.empty() ? "" : "one of " + text;
+    if (field.choices.empty()) return "";
+    return fmt::format("one of `{}`", fmt::join(choice_names(field), "`, `"));
 }
 
 std::string describe_field(const Field& field) {
@@ -78,6 +73,10 @@ std::string describe_field(const Field& field) {
         text += (field.kind.scale ? "; or " : "; ") + describe_choices(field);
     if (!field.hint.empty()) text += "; " + std::string(field.hint);
     return text;
+}
+
+std::string key_of(const ResolvedValue& value) {
+    return value.path.substr(value.section.empty() ? 0 : value.section.size() + 1);
 }
 
 bool is_read(const ResolvedValue& value, std::span<const Read> reads) {

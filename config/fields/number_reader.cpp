@@ -1,6 +1,7 @@
 #include "config/fields/number_reader.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <array>
 #include <cmath>
@@ -8,7 +9,6 @@
 
 #include "config/diagnostics/toml_source.h"
 #include "config/text/key_path.h"
-#include "config/text/text.h"
 #include "config/text/units.h"
 
 namespace skybake::config {
@@ -50,12 +50,7 @@ std::optional<double> check_range(const Reader& reader, const Value& value, doub
 }
 
 std::string list_units(Dimension dimension) {
-    std::string text;
-    for (const std::string_view name : unit_names(dimension)) {
-        if (!text.empty()) text += ", ";
-        text += name;
-    }
-    return text;
+    return fmt::format("{}", fmt::join(unit_names(dimension), ", "));
 }
 
 // Says what to write in place of a unit that there is not.
@@ -179,16 +174,18 @@ std::optional<double> read_integer(const Reader& reader, const Value& value) {
     return check_range(reader, value, static_cast<double>(*integer));
 }
 
+const Array* list_of(const Reader& reader, const Value& value) {
+    const auto* array = std::get_if<Array>(&value.data);
+    if (!array) report_type(reader, value, reader.field.kind.words);
+    return array;
+}
+
 const Array* read_items(const Reader& reader, const Value& value, std::size_t count,
                         std::string label) {
-    const auto* array = std::get_if<Array>(&value.data);
-    if (!array) {
-        report_type(reader, value, reader.field.kind.words);
-    } else if (array->size() != count) {
-        report_count(reader, value, array->size(), std::move(label));
-        return nullptr;
-    }
-    return array;
+    const Array* array = list_of(reader, value);
+    if (!array || array->size() == count) return array;
+    report_count(reader, value, array->size(), std::move(label));
+    return nullptr;
 }
 
 std::optional<std::vector<double>> read_numbers(const Reader& reader, const Value& value) {

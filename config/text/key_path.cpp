@@ -1,5 +1,7 @@
 #include "config/text/key_path.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "config/text/text.h"
@@ -17,14 +19,7 @@ bool is_control(char c) {
     return byte < 0x20 || byte == 0x7f;
 }
 
-constexpr std::string_view hexadecimal_digits = "0123456789abcdef";
-
-std::string hexadecimal(char c) {
-    const auto byte = static_cast<unsigned char>(c);
-    return {hexadecimal_digits[byte >> 4], hexadecimal_digits[byte & 15]};
-}
-
-std::string escape_byte(char c) { return "\\x" + hexadecimal(c); }
+std::string hexadecimal(char c) { return fmt::format("{:02x}", static_cast<unsigned char>(c)); }
 
 std::string escape_control(char c) {
     if (c == '\n') return "\\n";
@@ -173,7 +168,7 @@ std::string printable(std::string_view text) {
                 result += text[i];
             }
         }
-        if (valid < text.size()) result += escape_byte(text[valid]);
+        if (valid < text.size()) result += "\\x" + hexadecimal(text[valid]);
         text.remove_prefix(std::min(valid + 1, text.size()));
     }
     return result;

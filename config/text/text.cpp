@@ -99,10 +99,6 @@ std::variant<std::string, FileError> read_text(std::FILE* file, std::size_t most
     return without_byte_order_mark(std::move(text));
 }
 
-std::size_t find_or_end(std::string_view text, std::string_view what, std::size_t from) {
-    return std::min(text.find(what, from), text.size());
-}
-
 // Returns the end of a string that opens at `at`, as TOML sees it. Three quotes open a text that
 // may span lines. In other strings a line break ends the string, because it is an error that the
 // parser will report.
@@ -135,12 +131,10 @@ std::optional<std::size_t> find_invalid_utf8(std::string_view text) {
 
 std::string wrap(std::string_view text, std::string_view prefix, std::size_t width) {
     std::string result;
-    while (true) {
-        const std::size_t end = text.find('\n');
-        result += wrap_line(text.substr(0, end), prefix, width);
-        if (end == std::string_view::npos) return result;
-        text.remove_prefix(end + 1);
+    for (const std::string_view line : pieces_between(text, '\n')) {
+        result += wrap_line(line, prefix, width);
     }
+    return result;
 }
 
 std::string_view trim(std::string_view text) {
@@ -258,7 +252,7 @@ std::optional<TextPosition> find_deep_nesting(std::string_view text, int limit) 
             continue;
         }
         if (c == '#') {
-            at = find_or_end(text, "\n", at);
+            at = std::min(text.find('\n', at), text.size());
             continue;
         }
         if (c == '.') {
@@ -278,12 +272,12 @@ std::optional<TextPosition> find_deep_nesting(std::string_view text, int limit) 
     return std::nullopt;
 }
 
-std::vector<std::string_view> pieces_between_commas(std::string_view list) {
+std::vector<std::string_view> pieces_between(std::string_view list, char mark) {
     std::vector<std::string_view> pieces;
     for (std::size_t at = 0; at <= list.size();) {
-        const std::size_t comma = std::min(list.find(',', at), list.size());
-        pieces.push_back(list.substr(at, comma - at));
-        at = comma + 1;
+        const std::size_t end = std::min(list.find(mark, at), list.size());
+        pieces.push_back(list.substr(at, end - at));
+        at = end + 1;
     }
     return pieces;
 }
