@@ -182,11 +182,6 @@ void check_at(const Table& table, Names& names, const std::string& path,
     }
 }
 
-Table* table_at(Table& parent, std::string_view key) {
-    Entry* entry = find_entry(parent, key);
-    return entry ? std::get_if<Table>(&entry->value.data) : nullptr;
-}
-
 // Renames the keys of a layer of particles. Any other layer stays as it is, so that its fault is
 // reported.
 void name_particles(Table& layer) {
@@ -201,6 +196,10 @@ void name_particles(Table& layer) {
 }
 
 }  // namespace
+
+Table* table_at(Table& parent, std::string_view key) {
+    return const_cast<Table*>(find_table(parent, key));
+}
 
 void merge(Table& base, const Table& over) {
     Names names;

@@ -24,25 +24,20 @@ void check_place(const DecodedSection& preview, Decoder& decoder) {
                               std::array{"latitude", "longitude"},
                               std::array{"longitude", "latitude"}};
     for (const auto& [given, needed] : pairs) {
-        const Value* source = preview.at(given).source;
-        if (source == nullptr || preview.at(needed).source != nullptr || !decoder.complete)
-            continue;
+        if (!preview.gives(given) || preview.gives(needed) || !decoder.complete) continue;
         decoder.diagnostics.error(
-            "E0105", source->place,
+            "E0105", preview.place_of(given),
             fmt::format("`preview.{}` is missing: `preview.{}` needs it", needed, given),
             "a place has a latitude and a longitude");
     }
 }
 
 void check_height(const DecodedSection& camera, Decoder& decoder) {
-    const DecodedField& position = camera.at("position");
-    if (!position.value) return;
-    const double altitude = std::get<std::array<double, 3>>(*position.value)[2];
-    if (altitude >= 0) return;
-    decoder.diagnostics.error("E0110", position.source->place,
-                              fmt::format("`preview.camera.position` is {} below the ground",
-                                          length_to_string(-altitude)),
-                              "the third length is the altitude above the ground");
+    const auto* position = camera.value<std::array<double, 3>>("position");
+    if (!position || (*position)[2] >= 0) return;
+    decoder.report("E0110", camera, "position",
+                   fmt::format("is {} below the ground", length_to_string(-(*position)[2])),
+                   "the third length is the altitude above the ground");
 }
 
 // Returns the values of a section as the table that they were read from.
@@ -52,9 +47,9 @@ Table table_of(const Recipe& recipe, std::string_view section) {
         if (value.section != section) continue;
         auto parsed = parse_toml_value(value.canonical);
         if (!parsed) continue;  // none of a valid recipe
-        table.push_back({value.path.substr(section.size() + 1), {}, std::move(*parsed)});
+        table.push_back({key_of(value), {}, std::move(*parsed)});
     }
-    std::ranges::sort(table, [](const Entry& a, const Entry& b) { return a.key < b.key; });
+    std::ranges::sort(table, {}, &Entry::key);
     return table;
 }
 

@@ -81,35 +81,17 @@ Outcome<Recipe> decode_sources(RecipeSources sources, SweepTable sweep,
 
 // The functions below make the texts of parameters_toml (recipe.h).
 
-// This is the path of the table that holds a key, and the key itself.
-struct SplitPath {
-    std::string table;
-    std::string key;
-};
-
-SplitPath split_last(const std::string& path) {
-    SplitPath result;
-    for (const std::string& name : split_path(path).value_or(std::vector<std::string>{})) {
-        if (!result.key.empty()) {
-            result.table = result.table.empty() ? result.key : result.table + '.' + result.key;
-        }
-        result.key = key_to_string(name);
-    }
-    return result;
-}
-
 template <class IsWanted>
 std::string toml_of(const Recipe& recipe, const IsWanted& is_wanted) {
     std::string text;
     std::string table;
     for (const ResolvedValue& value : recipe.values) {
         if (value.only_shown || !is_wanted(value)) continue;
-        const SplitPath path = split_last(value.path);
-        if (path.table != table) {
-            table = path.table;
+        if (value.section != table) {
+            table = value.section;
             text += (text.empty() ? "[" : "\n[") + table + "]\n";
         }
-        text += path.key + " = " + value.canonical + '\n';
+        text += key_of(value) + " = " + value.canonical + '\n';
     }
     return text;
 }

@@ -14,7 +14,6 @@
 #include "config/sections/spectral_air.h"
 #include "config/sweep/sweep.h"
 #include "config/text/key_path.h"
-#include "config/text/units.h"
 
 namespace skybake::config {
 namespace {
