@@ -8,7 +8,6 @@
 #include "config/fields/fields.h"
 #include "config/fields/section_decoder.h"
 #include "config/sections/parameters.h"
-#include "config/text/key_path.h"
 
 namespace skybake::config {
 namespace {

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <utility>
 
 #include "config/assets/sheet_decoder.h"
 #include "config/sections/file_formats.h"

@@ -1,7 +1,6 @@
 #include "config/assets/occupancy.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numbers>
 
 #include "config/assets/asset_fields.h"
 #include "config/assets/asset_kind.h"

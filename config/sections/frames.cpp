@@ -9,7 +9,6 @@
 #include "config/sections/cloud.h"
 #include "config/sections/noise.h"
 #include "config/sections/spectral_air.h"
-#include "config/text/key_path.h"
 
 namespace skybake::config {
 

@@ -7,7 +7,6 @@
 #include <array>
 
 #include "config/text/key_path.h"
-#include "config/text/text.h"
 
 namespace skybake::config {
 namespace {
@@ -86,9 +85,7 @@ std::vector<const Entry*> channel_entries(const Table& channels, const std::stri
             report_unknown_channel(entry, path, decoder);
         }
     }
-    std::ranges::sort(entries, [](const Entry* a, const Entry* b) {
-        return channel_order(a->key) < channel_order(b->key);
-    });
+    std::ranges::sort(entries, {}, [](const Entry* entry) { return channel_order(entry->key); });
     return entries;
 }
 

@@ -7,12 +7,12 @@
 #include <limits>
 #include <span>
 #include <string>
-#include <string_view>
 #include <tuple>
 #include <utility>
 
 #include "config/fields/fields.h"
 #include "config/sections/sections.h"
+#include "config/text/mapped.h"
 
 namespace skybake::config {
 
@@ -24,7 +24,7 @@ Table named_by_index(Array items) {
         const Place place = items[i].place;
         table.push_back({std::to_string(i), place, std::move(items[i])});
     }
-    std::ranges::sort(table, [](const Entry& a, const Entry& b) { return a.key < b.key; });
+    std::ranges::sort(table, {}, &Entry::key);
     return table;
 }
 
@@ -155,11 +155,8 @@ void name_listed_towers(Table& root) {
 }
 
 std::vector<const Entry*> towers_in_order(const Table& towers) {
-    std::vector<const Entry*> entries;
-    for (const Entry& entry : towers) entries.push_back(&entry);
-    std::ranges::sort(entries, [](const Entry* a, const Entry* b) {
-        return order_of(a->key) < order_of(b->key);
-    });
+    auto entries = mapped<const Entry*>(towers, [](const Entry& entry) { return &entry; });
+    std::ranges::sort(entries, {}, [](const Entry* entry) { return order_of(entry->key); });
     return entries;
 }
 
@@ -173,8 +170,7 @@ bool cloud_moves(const Cloud& cloud) {
 
 void check_life(const DecodedSection& section, const TowerLife& tower, const Cloud& cloud,
                 Decoder& decoder) {
-    const DecodedField& life = section.at("life");
-    if (life.source && life.value) {
+    if (section.at("life").value) {
         const std::string fault = fault_of_life(tower, cloud);
         if (fault.empty()) return;
         decoder.report("E0182", section, "life", "is no life within a loop",
