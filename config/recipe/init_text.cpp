@@ -143,11 +143,11 @@ std::string bakes_text(const Table& root) {
     return last ? text + files_text(*last) : text;
 }
 
-std::optional<Table> parse_preset(const Preset& preset) {
+Table parse_preset(const Preset& preset) {
     const Source source{Source::Kind::preset, 0, std::string(preset.name),
                         std::string(preset.text)};
     DiagnosticList none_expected;
-    return parse_toml(source, none_expected);
+    return parse_toml(source, none_expected).value();
 }
 
 // Writes what can be overridden in each channel, which is the keys that the preset gives.
@@ -214,10 +214,10 @@ std::string preview_text(const Table& cloud) {
     const Table* preview = find_table(cloud, "preview");
     if (!preview) return "";
     std::string text = table_text(*find_section("preview"), "preview", *preview);
-    const Entry* camera = find_entry(*preview, "camera");
+    const Table* camera = find_table(*preview, "camera");
     if (!camera) return text;
     return text + '\n' + "[preview.camera]\n" +
-           section_text(*find_section("preview.camera"), std::get<Table>(camera->value.data));
+           section_text(*find_section("preview.camera"), *camera);
 }
 
 std::string bakes_of_cloud(const std::string& name) {
@@ -247,41 +247,38 @@ std::string noise_init_name(std::string_view preset) {
 }
 
 std::string noise_init_text(const Preset& preset) {
-    const std::optional<Table> keys = parse_preset(preset);
-    if (!keys) return std::string(preset.text);
+    const Table keys = parse_preset(preset);
     const std::string name = noise_init_name(preset.name);
     const std::string path = join_path("noise", name);
     const Section& bake = *find_section("bake.*", "noise_volume");
     std::string text = head(preset, preset.name);
-    text += section_from_preset(*find_section("noise.*"), path, preset.name, *keys);
-    text += commented_channels(*keys, path);
+    text += section_from_preset(*find_section("noise.*"), path, preset.name, keys);
+    text += commented_channels(keys, path);
     text += table_text(bake, join_path("bake", name), bake_of_noise(preset.name, name));
     text += files_text(bake);
     return text + sweep_text(join_path(path, "seed"), "[1, 2, 3]");
 }
 
 std::string cloud_init_text(const Preset& preset) {
-    std::optional<Table> keys = parse_preset(preset);
-    if (!keys) return std::string(preset.text);
-    name_listed_towers_of_cloud(*keys);
+    Table keys = parse_preset(preset);
+    name_listed_towers_of_cloud(keys);
     const std::string name(preset.name);
     const std::string path = join_path("clouds", name);
     std::string text = head(preset, "clouds." + name);
-    text += section_from_preset(*find_section("clouds.*"), path, preset.name, *keys);
-    text += commented_tables(*keys, path);
-    text += preview_text(*keys);
+    text += section_from_preset(*find_section("clouds.*"), path, preset.name, keys);
+    text += commented_tables(keys, path);
+    text += preview_text(keys);
     text += bakes_of_cloud(name);
     return text + sweep_text(join_path(path, "cover"), "{ from = 0.1, to = 0.4, count = 4 }");
 }
 
 std::string particle_init_text(const Preset& preset) {
-    const std::optional<Table> keys = parse_preset(preset);
-    if (!keys) return std::string(preset.text);
+    const Table keys = parse_preset(preset);
     const std::string name(preset.name);
     const Section& bake = *find_section("bake.*", "phase");
     std::string text = head(preset, name);
-    text += section_from_preset(*find_section("particles.*"), join_path("particles", name), name,
-                                *keys);
+    text +=
+        section_from_preset(*find_section("particles.*"), join_path("particles", name), name, keys);
     text += table_text(bake, join_path("bake", name),
                        {text_entry("asset", "phase"), text_entry("particles", name)});
     text += table_text(bake, join_path("bake", name + "_sampling"),
@@ -297,20 +294,18 @@ std::string particle_init_text(const Preset& preset) {
 }
 
 std::string init_text(const Preset& preset) {
-    const std::optional<Table> root = parse_preset(preset);
-    if (!root) return std::string(preset.text);
+    const Table root = parse_preset(preset);
     std::string text = head(preset, preset.name) + '\n';
-    text += section_text(*find_section(""), *root);
-    for (const Entry* kind : named_tables(*root, "particles")) {
+    text += section_text(*find_section(""), root);
+    for (const Entry* kind : named_tables(root, "particles")) {
         text += table_text(*find_section("particles.*"), join_path("particles", kind->key),
                            std::get<Table>(kind->value.data));
     }
-    const Entry* atmosphere = find_entry(*root, "atmosphere");
-    if (const Table* table = atmosphere ? as_table(atmosphere->value) : nullptr) {
+    if (const Table* table = find_table(root, "atmosphere")) {
         text += table_text(*find_section("atmosphere"), "atmosphere", *table);
         text += layers_text(*table);
     }
-    text += bakes_text(*root);
+    text += bakes_text(root);
     return text + sweep_text("atmosphere.ground_albedo", "{ from = 0, to = 0.6, count = 4 }");
 }
 

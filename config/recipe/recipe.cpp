@@ -10,6 +10,7 @@
 #include "config/assets/cloud_volume.h"
 #include "config/diagnostics/toml_source.h"
 #include "config/recipe/merge.h"
+#include "config/recipe/preview_section.h"
 #include "config/recipe/recipe_decoder.h"
 #include "config/recipe/recipe_sources.h"
 #include "config/sections/volume.h"
@@ -66,6 +67,7 @@ Outcome<Recipe> decode_sources(RecipeSources sources, SweepTable sweep,
     if (merged.file) {
         Decoder decoder{diagnostics, recipe.values, merged.complete, std::nullopt};
         recipe.parameters = decode_recipe(merged.root, *merged.file, decoder);
+        recipe.preview = decode_preview(merged.root, decoder);
         if (sweep == SweepTable::read) {
             Decoder of_sweep{diagnostics, recipe.sweep_values, merged.complete, decoder.channels};
             recipe.sweep = decode_sweep(merged.root, of_sweep);

@@ -9,11 +9,11 @@
 #include "config/fields/fields.h"
 #include "config/fields/wavelength_reader.h"
 #include "config/optics/ground_spectra.h"
-#include "config/recipe/preview_section.h"
 #include "config/sections/sections.h"
 #include "config/sections/spectral_air.h"
 #include "config/sweep/sweep.h"
 #include "config/text/key_path.h"
+#include "config/text/mapped.h"
 
 namespace skybake::config {
 namespace {
@@ -184,9 +184,7 @@ std::vector<Bake> decode_bakes_of_channels(const Table& root, const Parameters& 
 template <class S>
 Section make_section(std::string_view path, std::string_view documentation,
                      std::span<const Row<S>> rows) {
-    Section section{path, "", documentation, {}};
-    for (const Row<S>& row : rows) section.fields.push_back(row.field);
-    return section;
+    return {path, "", documentation, mapped<Field>(rows, &Row<S>::field)};
 }
 
 // Makes a section of keys that do not fill the members of a struct.
@@ -255,7 +253,6 @@ Parameters decode_recipe(const Table& root, const Source& source, Decoder& decod
         return decode_cloud(entry, sources, decoder);
     });
     parameters.bakes = decode_bakes_of_channels(root, parameters, decoder);
-    decode_preview(root, decoder);
     check_atmosphere(root, parameters, source, decoder);
     check_wavelengths(root, parameters, source, decoder);
     return parameters;
