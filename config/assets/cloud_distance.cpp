@@ -3,7 +3,6 @@
 #include "config/assets/asset_fields.h"
 #include "config/assets/asset_kind.h"
 #include "config/assets/cloud_volume.h"
-#include "config/assets/file_decoder.h"
 #include "config/assets/source_volume.h"
 #include "config/fields/fields.h"
 #include "config/fields/section_decoder.h"
@@ -44,66 +43,47 @@ const Row<CloudDistanceBake> distance_table[] = {
      Default{R"(["distance"])"}, Cited{schneider_2023}},
 };
 
-// This is one section while it is resolved.
-struct DistanceResolver {
-    DecodedSection& bake;
-    const RecipeSoFar& recipe;
-    Decoder& decoder;
-
-    std::size_t check_contents() const {
-        const std::size_t channels = check_channels();
-        check_range();
-        return channels;
+// Returns the number of channels, or 1 if it cannot be told.
+std::size_t check_distance_contents(const DecodedSection& bake, Decoder& decoder) {
+    const auto* contents = bake.value<std::vector<ChoiceIndex>>("contents");
+    if (!contents) return 1;
+    if (contents->size() == 2) {
+        decoder.report("E0129", bake, "contents", "has two channels",
+                       "a picture has one, three or four channels: add one, or bake two assets");
+    } else if (!distance_content_choices[contents->front().index].is(DistanceContent::distance)) {
+        decoder.report("E0175", bake, "contents", "does not begin with \"distance\"",
+                       "lookups find the distance in the first channel");
     }
+    return contents->size();
+}
 
-    std::size_t check_channels() const {
-        const auto* contents = bake.value<std::vector<ChoiceIndex>>("contents");
-        if (!contents) return 1;
-        if (contents->size() == 2) {
-            decoder.report(
-                "E0129", bake, "contents", "has two channels",
-                "a picture has one, three or four channels: add one, or bake two assets");
-        } else if (!distance_content_choices[contents->front().index].is(
-                       DistanceContent::distance)) {
-            decoder.report("E0175", bake, "contents", "does not begin with \"distance\"",
-                           "lookups find the distance in the first channel");
-        }
-        return contents->size();
-    }
+// A surface has the distance 0.
+void check_distance_range(const DecodedSection& bake, Decoder& decoder) {
+    const auto* ends = bake.value<std::array<double, 2>>("range");
+    if (!ends || ((*ends)[0] <= 0 && (*ends)[1] > 0)) return;
+    decoder.report("E0175", bake, "range", "has no room for the distance 0",
+                   "begin it at or below 0 m, and end it above 0 m");
+}
 
-    // A surface has the distance 0.
-    void check_range() const {
-        const auto* ends = bake.value<std::array<double, 2>>("range");
-        if (!ends || ((*ends)[0] <= 0 && (*ends)[1] > 0)) return;
-        decoder.report("E0175", bake, "range", "has no room for the distance 0",
-                       "begin it at or below 0 m, and end it above 0 m");
-    }
-
-    void check_cells(const VoxelCounts&) const {}
-
-    void check_tiling(const CloudVolumeBake& volume, int cell) const {
-        check_levels();
-        for (std::size_t axis = 0; axis < 2; ++axis) {
-            if (volume.size[axis] % cell != 0) {
-                return report_untiled(bake, volume, cell, axis, decoder);
-            }
-        }
-    }
-
-    // The mean of distances is no distance to keep to.
-    void check_levels() const {
-        if (bake.whole("mips").value_or(1) == 1 || !bake.gives("mips")) return;
-        decoder.report("E0110", bake, "mips", "must be 1",
-                       "bake another cloud_distance with a larger `cell`");
-    }
-};
+// The mean of distances is no distance to keep to.
+void check_single_level(const DecodedSection& bake, Decoder& decoder) {
+    if (bake.whole("mips").value_or(1) == 1 || !bake.gives("mips")) return;
+    decoder.report("E0110", bake, "mips", "must be 1",
+                   "bake another cloud_distance with a larger `cell`");
+}
 
 // Reports two contents (E0129), other contents than the distance in the first channel and a range
 // without 0 (E0175), texels that do not tile as the volume does (E0150), levels (E0110), and what
-// resolve_cells reports.
+// find_cells and resolve_cells report.
 void resolve_distance(DecodedSection& bake, const RecipeSoFar& recipe, Decoder& decoder) {
-    resolve_cells(DistanceResolver{bake, recipe, decoder},
-                  "cloud_distance, whose distances must not grow");
+    const std::size_t channels = check_distance_contents(bake, decoder);
+    check_distance_range(bake, decoder);
+    const auto cells =
+        find_cells(bake, recipe, "cloud_distance, whose distances must not grow", decoder);
+    if (!cells) return;
+    resolve_cells(bake, *cells, channels, recipe, decoder);
+    check_single_level(bake, decoder);
+    check_tiling(bake, *cells, false, decoder);
 }
 
 }  // namespace

@@ -8,7 +8,6 @@
 #include "config/assets/asset_fields.h"
 #include "config/assets/asset_kind.h"
 #include "config/assets/cloud_volume.h"
-#include "config/assets/file_decoder.h"
 #include "config/assets/source_volume.h"
 #include "config/fields/fields.h"
 #include "config/fields/section_decoder.h"

@@ -9,7 +9,6 @@
 #include "config/assets/sheet_decoder.h"
 #include "config/sections/file_formats.h"
 #include "config/sections/targets.h"
-#include "config/text/key_path.h"
 
 namespace skybake::config {
 namespace {

@@ -22,41 +22,41 @@ std::string_view word_of(const DecodedField& decoded) {
 }
 
 // Fills in the keys of one bake for one target.
-class TargetKeys {
-  public:
-    TargetKeys(DecodedSection& bake, std::string_view asset, const TargetFacts& target,
-               const TargetUse& use, Decoder& decoder)
-        : bake_(bake), asset_(asset), target_(target), use_(use), decoder_(decoder) {}
+struct TargetKeys {
+    DecodedSection& bake;
+    std::string_view asset;
+    const TargetFacts& target;
+    const TargetUse& use;
+    Decoder& decoder;
 
-    void resolve() {
+    void resolve() const {
         resolve_formats();
         resolve_pixel_type();
-        for (const TargetKey& key : use_.keys) resolve_key(key);
-        if (!use_.mappings.empty()) resolve_mapping();
+        for (const TargetKey& key : use.keys) resolve_key(key);
+        if (!use.mappings.empty()) resolve_mapping();
     }
 
-  private:
     void refuse(const DecodedField& given, std::string_view value, std::string label) const {
-        decoder_.report(
-            "E0160", bake_, given.field->key,
-            fmt::format(": target \"{}\" does not load {} with {}", target_.name, asset_, value),
+        decoder.report(
+            "E0160", bake, given.field->key,
+            fmt::format(": target \"{}\" does not load {} with {}", target.name, asset, value),
             std::move(label));
     }
 
-    void resolve_formats() {
-        DecodedField& decoded = bake_.at("formats");
+    void resolve_formats() const {
+        DecodedField& decoded = bake.at("formats");
         if (decoded.source) return check_formats(decoded);
         std::vector<ChoiceIndex> written;
-        for (std::size_t i = 0; i < use_.written; ++i) {
-            written.push_back(chosen(*decoded.field, use_.formats[i]));
+        for (std::size_t i = 0; i < use.written; ++i) {
+            written.push_back(chosen(*decoded.field, use.formats[i]));
         }
         derive(decoded, std::move(written));
     }
 
     void check_formats(const DecodedField& decoded) const {
         const auto name_of = [](FileFormat format) { return facts_of(format).name; };
-        const auto& all = use_.formats;
-        for (const FileFormat format : formats_of(bake_)) {
+        const auto& all = use.formats;
+        for (const FileFormat format : formats_of(bake)) {
             if (std::ranges::find(all, format) != all.end()) continue;
             const auto loaded = mapped<std::string_view>(all, name_of);
             return refuse(decoded, fmt::format("\"{}\"", name_of(format)),
@@ -64,17 +64,17 @@ class TargetKeys {
         }
     }
 
-    void resolve_pixel_type() {
-        DecodedField& decoded = bake_.at("pixel_type");
+    void resolve_pixel_type() const {
+        DecodedField& decoded = bake.at("pixel_type");
         const auto type = choice_of<PixelType>(decoded);
-        if (!decoded.source && use_.pixel_type) {
-            derive(decoded, chosen(*decoded.field, *use_.pixel_type));
+        if (!decoded.source && use.pixel_type) {
+            derive(decoded, chosen(*decoded.field, *use.pixel_type));
             return;
         }
-        if (!type || use_.pixel_types.contains(*type)) return;
+        if (!type || use.pixel_types.contains(*type)) return;
         std::vector<std::string_view> loaded;
         for (const Choice& choice : decoded.field->choices) {
-            if (use_.pixel_types.contains(static_cast<PixelType>(choice.enumerator))) {
+            if (use.pixel_types.contains(static_cast<PixelType>(choice.enumerator))) {
                 loaded.push_back(choice.name);
             }
         }
@@ -85,12 +85,12 @@ class TargetKeys {
     // Whether the key is one of this section, whose other keys decide that.
     bool is_used(const Field& field) const {
         if (field.selector.empty()) return true;
-        const DecodedField& selector = bake_.at(field.selector);
+        const DecodedField& selector = bake.at(field.selector);
         return selector.value && applies(field, word_of(selector));
     }
 
-    void resolve_key(const TargetKey& key) {
-        DecodedField& decoded = bake_.at(key.key);
+    void resolve_key(const TargetKey& key) const {
+        DecodedField& decoded = bake.at(key.key);
         if (!is_used(*decoded.field)) return;
         const bool is_flag = decoded.field->choices.empty();
         derive(decoded, is_flag ? FieldValue(key.word == "true")
@@ -100,14 +100,14 @@ class TargetKeys {
                fmt::format("it loads {}", key.word));
     }
 
-    void resolve_mapping() {
-        DecodedField& decoded = bake_.at("mapping");
-        derive(decoded, FieldValue(choice_named(*decoded.field, use_.mappings.front())));
+    void resolve_mapping() const {
+        DecodedField& decoded = bake.at("mapping");
+        derive(decoded, FieldValue(choice_named(*decoded.field, use.mappings.front())));
         if (!decoded.value) return;
         std::vector<std::string_view> loaded;
-        for (const TargetUse& use : target_.uses) {
-            if (use.assets == use_.assets)
-                std::ranges::copy(use.mappings, std::back_inserter(loaded));
+        for (const TargetUse& other : target.uses) {
+            if (other.assets != use.assets) continue;
+            std::ranges::copy(other.mappings, std::back_inserter(loaded));
         }
         const std::string_view word = word_of(decoded);
         if (std::ranges::find(loaded, word) != loaded.end()) return;
@@ -120,12 +120,6 @@ class TargetKeys {
         while (field.choices[index].name != word) ++index;
         return {index};
     }
-
-    DecodedSection& bake_;
-    std::string_view asset_;
-    const TargetFacts& target_;
-    const TargetUse& use_;
-    Decoder& decoder_;
 };
 
 std::vector<std::string_view> assets_of(const TargetFacts& target) {
@@ -184,7 +178,7 @@ void resolve_target(DecodedSection& bake, std::string_view asset, const Paramete
     const Place& place = bake.place_of("target");
     const TargetUse* use = use_of(bake, asset, target);
     if (use == nullptr) return report_no_use(bake, asset, target, decoder);
-    TargetKeys(bake, asset, target, *use, decoder).resolve();
+    TargetKeys{bake, asset, target, *use, decoder}.resolve();
     if (has_channels(recipe, use->light_channels)) return;
     decoder.diagnostics.error(
         "E0160", place,

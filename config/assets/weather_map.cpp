@@ -73,88 +73,75 @@ const Row<WeatherMapBake> weather_map_table[] = {
 };
 
 // This is one section while it is resolved.
-class WeatherMapResolver {
-  public:
-    WeatherMapResolver(DecodedSection& bake, const Noise& noise, Decoder& decoder)
-        : bake_(bake), decoder_(decoder) {
-        const bool has_none = noise.pack == NoisePacking::none && noise.channels.empty();
-        if (!has_none) names_ = channel_names(noise);
-    }
+struct WeatherMapResolver {
+    DecodedSection& bake;
+    Decoder& decoder;
+    std::vector<std::string> names;  // of the noise's channels
 
-    void resolve_size(const Noise& noise) {
-        const auto& [width, height, depth] = noise.size;
-        if (width > 0) derive(bake_.at("size"), std::array{width, height});
-    }
-
-    void resolve_channels() {
+    void resolve_channels() const {
         for (const std::string_view key : {"covered", "full", "streaks"}) spread(key);
         resolve_yields();
         check_full();
         check_directions();
     }
 
-  private:
     void report_count(std::string_view key, std::size_t count) const {
-        decoder_.report("E0156", bake_, key,
-                        fmt::format("has {} items, and the noise has {} channel{}", count,
-                                    names_.size(), names_.size() == 1 ? "" : "s"),
-                        "give one item for each channel, or one for all");
+        decoder.report("E0156", bake, key,
+                       fmt::format("has {} items, and the noise has {} channel{}", count,
+                                   names.size(), names.size() == 1 ? "" : "s"),
+                       "give one item for each channel, or one for all");
     }
 
     // Gives each channel its number.
-    void spread(std::string_view key) {
-        DecodedField& decoded = bake_.at(key);
+    void spread(std::string_view key) const {
+        DecodedField& decoded = bake.at(key);
         if (!decoded.value) return;
         auto& shares = std::get<std::vector<double>>(*decoded.value);
-        if (shares.size() == 1) shares.resize(names_.size(), shares.front());
-        if (shares.size() != names_.size()) report_count(key, shares.size());
+        if (shares.size() == 1) shares.resize(names.size(), shares.front());
+        if (shares.size() != names.size()) report_count(key, shares.size());
     }
 
-    void resolve_yields() {
-        const auto* yields = bake_.value<std::vector<std::string>>("yields_to");
+    void resolve_yields() const {
+        const auto* yields = bake.value<std::vector<std::string>>("yields_to");
         if (!yields || yields->empty()) return;
-        if (yields->size() != names_.size()) return report_count("yields_to", yields->size());
+        if (yields->size() != names.size()) return report_count("yields_to", yields->size());
         for (std::size_t i = 0; i < yields->size(); ++i) check_yield(*yields, i);
     }
 
     void check_yield(const std::vector<std::string>& yields, std::size_t channel) const {
         const std::string& name = yields[channel];
         if (name.empty()) return;
-        const auto found = std::ranges::find(names_, name);
-        const auto index = static_cast<std::size_t>(found - names_.begin());
-        if (found != names_.end() && index != channel && yields[index].empty()) return;
-        decoder_.report(
-            "E0156", bake_, "yields_to",
-            fmt::format(": channel {} cannot yield to `{}`", names_[channel], shorten(name)),
+        const auto found = std::ranges::find(names, name);
+        const auto index = static_cast<std::size_t>(found - names.begin());
+        if (found != names.end() && index != channel && yields[index].empty()) return;
+        decoder.report(
+            "E0156", bake, "yields_to",
+            fmt::format(": channel {} cannot yield to `{}`", names[channel], shorten(name)),
             "a channel may yield to another one of the noise that yields to none");
     }
 
     void check_full() const {
-        const auto* covered = bake_.value<std::vector<double>>("covered");
-        const auto* full = bake_.value<std::vector<double>>("full");
+        const auto* covered = bake.value<std::vector<double>>("covered");
+        const auto* full = bake.value<std::vector<double>>("full");
         if (!covered || !full) return;
         for (std::size_t i = 0; i < std::min(covered->size(), full->size()); ++i) {
             if ((*full)[i] <= (*covered)[i]) continue;
-            decoder_.report("E0156", bake_, "full",
-                            fmt::format(": {} of a channel cannot be 1 where {} is above 0",
-                                        (*full)[i], (*covered)[i]),
-                            "`full` is at most `covered`");
+            decoder.report("E0156", bake, "full",
+                           fmt::format(": {} of a channel cannot be 1 where {} is above 0",
+                                       (*full)[i], (*covered)[i]),
+                           "`full` is at most `covered`");
             return;
         }
     }
 
     void check_directions() const {
-        const auto content = choice_of<WeatherContent>(bake_.at("content"));
-        if (content != WeatherContent::directions || names_.size() == 3) return;
-        decoder_.report(
-            "E0156", bake_, "content",
-            fmt::format(": directions need three channels, and the noise has {}", names_.size()),
+        const auto content = choice_of<WeatherContent>(bake.at("content"));
+        if (content != WeatherContent::directions || names.size() == 3) return;
+        decoder.report(
+            "E0156", bake, "content",
+            fmt::format(": directions need three channels, and the noise has {}", names.size()),
             "a noise of type = \"curl\" with the components x, y and z is usual");
     }
-
-    DecodedSection& bake_;
-    Decoder& decoder_;
-    std::vector<std::string> names_;
 };
 
 // Fills in `size` from the noise, and an item for each channel. It reports a noise that does not
@@ -165,9 +152,11 @@ void resolve_weather_map(DecodedSection& bake, const RecipeSoFar& recipe, Decode
     const std::span<const Noise> noises = recipe.parameters.noises;
     const Noise* noise = find_named(bake, "noise", noises, noise_reference, decoder);
     if (!noise) return;
-    WeatherMapResolver resolver(bake, *noise, decoder);
-    resolver.resolve_size(*noise);
-    resolver.resolve_channels();
+    const auto& [width, height, depth] = noise->size;
+    if (width > 0) derive(bake.at("size"), std::array{width, height});
+    const bool has_none = noise->pack == NoisePacking::none && noise->channels.empty();
+    const auto names = has_none ? std::vector<std::string>{} : channel_names(*noise);
+    WeatherMapResolver{bake, decoder, names}.resolve_channels();
     check_frames(bake, std::array{motion_of(*noise)}, decoder);
     const auto* size = bake.value<std::array<int, 2>>("size");
     if (!size) return;

@@ -12,10 +12,8 @@
 namespace skybake::config {
 
 const Field* find_field(const Section& section, std::string_view key) {
-    for (const Field& field : section.fields) {
-        if (field.key == key) return &field;
-    }
-    return nullptr;
+    const auto found = std::ranges::find(section.fields, key, &Field::key);
+    return found == section.fields.end() ? nullptr : &*found;
 }
 
 std::vector<std::string_view> field_keys(const Section& section) {

@@ -31,13 +31,6 @@ struct SectionReader {
         return selector.field->choices[std::get<ChoiceIndex>(*selector.value).index].name;
     }
 
-    bool is_excluded(const Field& field) const {
-        for (const Field& other : section.fields) {
-            if (exclude_each_other(field, other) && find_entry(table, other.key)) return true;
-        }
-        return false;
-    }
-
     void report_misplaced(const Field& field, const Entry& entry, std::string_view found) const {
         const DecodedField& selector = result.at(field.selector);
         const std::string said =
@@ -121,7 +114,7 @@ struct SectionReader {
             decoded.source = &entry->value;
             decoded.value = read_field(field, join_path(result.path, field.key), entry->value,
                                        decoder.channels, decoder.diagnostics);
-        } else if (absent == Absent::filled_in && !is_excluded(field)) {
+        } else if (absent == Absent::filled_in && !is_excluded(field, section, table)) {
             if (field.required) report_missing(field);
             decoded.value = default_value(field, decoder.channels);
         }
@@ -209,8 +202,8 @@ std::string what_to_write(const ReferenceWords& words, const std::string& name) 
 }  // namespace
 
 const DecodedField* DecodedSection::find(std::string_view key) const {
-    const auto found = std::ranges::find_if(
-        fields, [&](const DecodedField& decoded) { return decoded.field->key == key; });
+    const auto key_of_field = [](const DecodedField& decoded) { return decoded.field->key; };
+    const auto found = std::ranges::find(fields, key, key_of_field);
     return found == fields.end() ? nullptr : &*found;
 }
 
@@ -264,6 +257,12 @@ DecodedSection decode_section(const Section& section, const std::string& path, c
     for (DecodedField& decoded : reader.result.fields) reader.read(*decoded.field, decoded);
     reader.report_unknown_keys();
     return std::move(reader.result);
+}
+
+bool is_excluded(const Field& field, const Section& section, const Table& table) {
+    return std::ranges::any_of(section.fields, [&](const Field& other) {
+        return exclude_each_other(field, other) && find_entry(table, other.key);
+    });
 }
 
 const Table& subtable(const Table& table, std::string_view key, const std::string& path,

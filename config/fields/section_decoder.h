@@ -172,6 +172,9 @@ enum class Absent { filled_in, left_out };
 DecodedSection decode_section(const Section& section, const std::string& path, const Place& place,
                               const Table& table, Absent absent, Decoder& decoder);
 
+// Whether a table has another key of the section, which excludes the field.
+bool is_excluded(const Field& field, const Section& section, const Table& table);
+
 // Returns the table under a key. It returns an empty table if there is none, and also if the value
 // is no table, which it reports.
 const Table& subtable(const Table& table, std::string_view key, const std::string& path,

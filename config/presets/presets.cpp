@@ -26,10 +26,8 @@ bool is_layer(std::string_view cloud) {
 std::span<const SectionPresets> section_presets() { return kinds; }
 
 const Preset* find_preset(std::span<const Preset> all, std::string_view name) {
-    for (const Preset& preset : all) {
-        if (preset.name == name) return &preset;
-    }
-    return nullptr;
+    const auto found = std::ranges::find(all, name, &Preset::name);
+    return found == all.end() ? nullptr : &*found;
 }
 
 const Preset* find_preset(std::string_view name) { return find_preset(presets(), name); }

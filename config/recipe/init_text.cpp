@@ -9,6 +9,7 @@
 #include "config/diagnostics/diagnostic.h"
 #include "config/diagnostics/toml_source.h"
 #include "config/fields/fields.h"
+#include "config/fields/section_decoder.h"
 #include "config/sections/towers.h"
 #include "config/text/key_path.h"
 #include "config/text/text.h"
@@ -56,9 +57,7 @@ bool is_at_default(const Field& field, const Section& section, const Table& tabl
     const bool is_matter = std::ranges::any_of(
         matter_keys, [&](auto key) { return find_entry(table, key) != nullptr; });
     if (field.key == "scattering" && is_matter) return false;
-    return std::ranges::none_of(section.fields, [&](const Field& other) {
-        return exclude_each_other(field, other) && find_entry(table, other.key);
-    });
+    return !is_excluded(field, section, table);
 }
 
 // Writes a key with its meaning beside it, or above it where there is no room.

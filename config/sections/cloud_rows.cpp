@@ -76,16 +76,6 @@ std::vector<Row<CloudMap>> map_table(std::string_view file_documentation) {
 const auto coverage_map_table = map_table("picture whose numbers multiply coverage");
 const auto type_map_table = map_table("picture whose numbers replace cloud_type");
 
-}  // namespace
-
-std::span<const Row<HeightProfile>> height_profile_fields() { return height_profile_table; }
-
-std::span<const Row<CloudMap>> coverage_map_fields() { return coverage_map_table; }
-
-std::span<const Row<CloudMap>> type_map_fields() { return type_map_table; }
-
-namespace {
-
 constexpr Range scale_range{1, 1024};
 constexpr Range erosion_range{0, 0.95};  // at 1 the remap that erodes would divide by 0
 
@@ -221,6 +211,12 @@ const Row<Cloud> cloud_table[] = {
 };
 
 }  // namespace
+
+std::span<const Row<HeightProfile>> height_profile_fields() { return height_profile_table; }
+
+std::span<const Row<CloudMap>> coverage_map_fields() { return coverage_map_table; }
+
+std::span<const Row<CloudMap>> type_map_fields() { return type_map_table; }
 
 std::span<const Row<Cloud>> cloud_fields() { return cloud_table; }
 

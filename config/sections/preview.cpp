@@ -42,10 +42,6 @@ std::optional<FieldValue> read_moment(const Reader& reader, const Value& value) 
 
 constexpr ValueKind moment_kind{moment_words, read_moment, text_schema};
 
-constexpr std::string_view sun = "sun";
-constexpr std::string_view by_time = "time";
-constexpr std::string_view by_angles = "angles";
-
 // The keys have no default values. So the parameters that a manifest records have only keys that the
 // recipe gives, which its pictures use.
 const Row<Preview> preview_table[] = {
@@ -58,13 +54,14 @@ const Row<Preview> preview_table[] = {
      camera_altitude_range, Hint{"without it, the camera is at 200 m"}},
     {"sun_elevation", Kind::angles, &Preview::sun_elevation,
      "elevations of the sun, each of which gets a picture", elevation_range,
-     Hint{"without it, skybake chooses them"}, Exclusive{sun, by_angles}},
+     Hint{"without it, skybake chooses them"}, Exclusive{"sun", "angles"}},
     {"sun_azimuth", Kind::angle, &Preview::sun_azimuth,
      "where the sun of clouds stands, from +x towards +y", turn_range,
-     Hint{"without it, the sun stands 112 deg to the left of the view"}, Exclusive{sun, by_angles}},
+     Hint{"without it, the sun stands 112 deg to the left of the view"},
+     Exclusive{"sun", "angles"}},
     {"at", moment_kind, &Preview::at,
      "date and time that place the sun, at latitude and longitude; +y is north and +x is east",
-     Exclusive{sun, by_time}, Cited{"Meeus 1998, Astronomical Algorithms, chapter 25"}},
+     Exclusive{"sun", "time"}, Cited{"Meeus 1998, Astronomical Algorithms, chapter 25"}},
     {"latitude", Kind::angle, &Preview::latitude, "latitude of the place, positive in the north",
      elevation_range},
     {"longitude", Kind::angle, &Preview::longitude, "longitude of the place, positive in the east",

@@ -95,23 +95,14 @@ std::optional<std::string> read_name(std::string_view path, std::size_t& at) {
 }  // namespace
 
 bool is_bare_key(std::string_view name) {
-    for (const char c : name) {
-        if (!is_bare_character(c)) return false;
-    }
-    return !name.empty();
+    return !name.empty() && std::ranges::all_of(name, is_bare_character);
 }
 
 std::string toml_string(std::string_view text) {
     std::string result = "\"";
     for (const char c : text) {
-        if (c == '"' || c == '\\') {
-            result += '\\';
-            result += c;
-        } else if (is_control(c)) {
-            result += escape_control(c);
-        } else {
-            result += c;
-        }
+        if (c == '"' || c == '\\') result += '\\';
+        result += is_control(c) ? escape_control(c) : std::string(1, c);
     }
     return result + '"';
 }

@@ -49,10 +49,10 @@ std::size_t sequence_length(std::string_view text) {
     return 0;
 }
 
+bool begins_character(char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }
+
 std::size_t characters(std::string_view text) {
-    std::size_t count = 0;
-    for (const char c : text) count += (static_cast<unsigned char>(c) & 0xc0) != 0x80 ? 1 : 0;
-    return count;
+    return static_cast<std::size_t>(std::ranges::count_if(text, begins_character));
 }
 
 std::string wrap_line(std::string_view text, std::string_view prefix, std::size_t width) {
@@ -288,7 +288,7 @@ TextPosition text_position(std::string_view text, std::size_t offset) {
         if (c == '\n') {
             ++position.line;
             position.column = 1;
-        } else if ((static_cast<unsigned char>(c) & 0xc0) != 0x80) {
+        } else if (begins_character(c)) {
             ++position.column;
         }
     }
