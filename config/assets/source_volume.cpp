@@ -80,9 +80,9 @@ std::vector<std::string> channels_of(const CloudVolumeBake& volume, const Recipe
 }  // namespace
 
 const CloudVolumeBake* find_source_volume(const DecodedSection& bake, const RecipeSoFar& recipe,
-                                          Decoder& decoder, std::string_view key) {
-    const auto* name = bake.value<std::string>(key);
-    return name ? find_volume_named(bake, key, *name, recipe, decoder) : nullptr;
+                                          Decoder& decoder) {
+    const auto* name = bake.value<std::string>("of");
+    return name ? find_volume_named(bake, "of", *name, recipe, decoder) : nullptr;
 }
 
 const CloudVolumeBake* find_volume_named(const DecodedSection& bake, std::string_view key,

@@ -27,10 +27,10 @@ inline constexpr Field source_channel_field =
 // Voxels along an edge of a cell.
 inline constexpr Range cell_range{1, 16};
 
-// Returns the volume that `key` names, or null. It reports a name that is not a cloud volume's
+// Returns the volume that `of` names, or null. It reports a name that is not a cloud volume's
 // (E0133), unless that volume has errors of its own.
 const CloudVolumeBake* find_source_volume(const DecodedSection& bake, const RecipeSoFar& recipe,
-                                          Decoder& decoder, std::string_view key = "of");
+                                          Decoder& decoder);
 
 // Returns the volume of that name, which stands in the value of `key`, as find_source_volume does.
 const CloudVolumeBake* find_volume_named(const DecodedSection& bake, std::string_view key,

@@ -21,12 +21,7 @@ namespace {
 constexpr int most_shares = 4;
 
 std::optional<FieldValue> read_shares(const Reader& reader, const Value& value) {
-    std::optional<std::vector<double>> shares = read_numbers(reader, value);
-    if (!shares) return std::nullopt;
-    if (!shares->empty() && shares->size() <= std::size_t{most_shares}) return std::move(*shares);
-    report_count(reader, value, shares->size(),
-                 fmt::format("expected one number, or up to {}", most_shares));
-    return std::nullopt;
+    return read_one_or_more(reader, value, "number");
 }
 
 constexpr ValueKind share_kind = list_kind(

@@ -192,18 +192,26 @@ std::optional<std::vector<double>> read_numbers(const Reader& reader, const Valu
     const auto* array = std::get_if<Array>(&value.data);
     std::vector<double> numbers;
     bool valid = true;
-    const auto read_one = [&](const Value& item) {
+    for (const Value& item : array ? *array : Array{value}) {
         const std::optional<double> number = read_number(reader, item);
         valid = valid && number;
         if (number) numbers.push_back(*number);
-    };
-    if (array) {
-        for (const Value& item : *array) read_one(item);
-    } else {
-        read_one(value);
     }
     if (!valid) return std::nullopt;
     return numbers;
+}
+
+std::optional<FieldValue> read_one_or_more(const Reader& reader, const Value& value,
+                                           std::string_view noun) {
+    std::optional<std::vector<double>> numbers = read_numbers(reader, value);
+    if (!numbers) return std::nullopt;
+    const int most = reader.field.kind.most;
+    if (!numbers->empty() && numbers->size() <= static_cast<std::size_t>(most)) {
+        return std::move(*numbers);
+    }
+    report_count(reader, value, numbers->size(),
+                 fmt::format("expected one {}, or up to {}", noun, most));
+    return std::nullopt;
 }
 
 void report_count(const Reader& reader, const Value& value, std::size_t count, std::string label) {

@@ -55,4 +55,8 @@ const Array* read_items(const Reader& reader, const Value& value, std::size_t co
 // at fault.
 std::optional<std::vector<double>> read_numbers(const Reader& reader, const Value& value);
 
+// Does so for one number or more, up to the most that the field's kind takes. `noun` names one in messages.
+std::optional<FieldValue> read_one_or_more(const Reader& reader, const Value& value,
+                                           std::string_view noun);
+
 }  // namespace skybake::config
