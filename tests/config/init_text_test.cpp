@@ -127,7 +127,7 @@ TEST(InitText, ACloudStartsFromItsPresetAndItsNoises) {
         EXPECT_NE(uncommented.find(table), std::string::npos);
         EXPECT_EQ(all_parameters(valid_with_warnings(uncommented)), all_parameters(written));
     }
-    const Recipe thesis =
+    const auto thesis =
         valid_with_warnings(cloud_init_text(*find_preset(cloud_presets(), "thesis")));
     EXPECT_EQ(thesis.parameters.noises.at(0).sampling, NoiseSampling::corners);
 }

@@ -1,5 +1,3 @@
-#include "config/recipe/preview_section.h"
-
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -74,9 +72,8 @@ TEST(PreviewSection, SaysNothingThatItIsNotTold) {
 }
 
 TEST(PreviewSection, TakesATimeAtAPlace) {
-    const auto preview =
-        valid(base + "at = '2026-06-21 18:30 +02:00'\nlatitude = '47.4 deg'\nlongitude = '8.5 deg'")
-            .preview;
+    const std::string place = "\nlatitude = '47.4 deg'\nlongitude = '8.5 deg'";
+    const auto preview = valid(base + "at = '2026-06-21 18:30 +02:00'" + place).preview;
     ASSERT_TRUE(preview);
     EXPECT_EQ(preview->at, "2026-06-21 18:30 +02:00");
     EXPECT_DOUBLE_EQ(preview->latitude.value(), 47.4 * degree);
