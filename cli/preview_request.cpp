@@ -72,7 +72,7 @@ Outcome<int> read_count(std::string_view text, int least, int most, std::string_
 }
 
 std::optional<std::array<double, 3>> position_of(std::string_view text) {
-    const auto pieces = config::pieces_between_commas(text);
+    const auto pieces = config::pieces_between(text, ',');
     if (pieces.size() != 3) return std::nullopt;
     std::array<double, 3> position{};
     for (std::size_t a = 0; a < 3; ++a) {
@@ -191,7 +191,7 @@ namespace options {
 // Reads a value that may hold several elevations, separated by commas.
 Outcome<std::vector<double>> read_elevations(const std::string& list) {
     Outcome<std::vector<double>> outcome{std::vector<double>(), {}};
-    for (const std::string_view text : config::pieces_between_commas(list)) {
+    for (const std::string_view text : config::pieces_between(list, ',')) {
         if (const auto elevation = degrees_of(text, -90, 90)) {
             outcome.value->push_back(*elevation);
         } else {
@@ -266,7 +266,7 @@ Outcome<config::Moment> read_time(const std::string& text) {
 }
 
 Outcome<EarthPlace> read_place(const std::string& text) {
-    const auto pieces = config::pieces_between_commas(text);
+    const auto pieces = config::pieces_between(text, ',');
     std::optional<EarthPlace> place;
     if (pieces.size() == 2) {
         const auto latitude = degrees_of(pieces[0], -90, 90);

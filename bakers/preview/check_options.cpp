@@ -147,8 +147,7 @@ Outcome<PreviewOptions> completed(PreviewOptions options, const Recipe* recipe,
                             "the time and the place say where the sun stands");
     }
     const bool place_is_asked = options.place.has_value();
-    const auto preview = recipe != nullptr ? config::preview_of(*recipe) : std::nullopt;
-    if (preview) take_section(*preview, lit, options);
+    if (recipe != nullptr && recipe->preview) take_section(*recipe->preview, lit, options);
     if (options.at && !options.place) {
         return option_fault("--at needs a place",
                             "give --place 47.4,8.5, or latitude and longitude in [preview]");

@@ -124,9 +124,9 @@ void add_times(std::istream& csv, PreviewSweep& sweep) {
     for (SweepVariant& variant : sweep.variants) variants[std::to_string(variant.index)] = &variant;
     std::string header, line;
     std::getline(csv, header);
-    const std::vector<std::string_view> titles = config::pieces_between_commas(header);
+    const std::vector<std::string_view> titles = config::pieces_between(header, ',');
     while (std::getline(csv, line)) {
-        const std::vector<std::string_view> fields = config::pieces_between_commas(line);
+        const std::vector<std::string_view> fields = config::pieces_between(line, ',');
         if (fields.size() < titles.size()) continue;
         const auto variant = variants.find(std::string(fields[0]));
         if (variant == variants.end()) continue;

@@ -14,12 +14,6 @@
 namespace skybake::config {
 namespace {
 
-constexpr Range turn_range{-2 * std::numbers::pi, 2 * std::numbers::pi};
-
-constexpr Range fov_range{0, std::numbers::pi, true, true};
-
-constexpr Range picture_aspect_range{1e-3, 1e3};
-
 constexpr Choice aerial_content_choices[] = {
     {AerialContent::in_scatter_and_transmittance, "in_scatter_and_transmittance",
      "light in R, G, B and the channels' mean transmittance in A"},
@@ -42,7 +36,7 @@ constexpr Choice slices_begin_choices[] = {
 
 const Row<AerialPerspectiveBake> aerial_perspective_table[] = {
     {"size", Kind::voxels, &AerialPerspectiveBake::size,
-     "voxels across and down the picture, and the number of slices", voxel_range,
+     "voxels across and down the picture, and the number of slices", texel_range,
      Default{"[32, 32, 32]"}, Cited{hillaire_2020}},
     {"content", Kind::choice, &AerialPerspectiveBake::content, "what the channels hold",
      aerial_content_choices, Default{R"("in_scatter_and_transmittance")"}},
@@ -54,9 +48,9 @@ const Row<AerialPerspectiveBake> aerial_perspective_table[] = {
     {"pitch", Kind::angle, &AerialPerspectiveBake::pitch,
      "camera pitch, upwards from the horizontal", elevation_range, Default{R"("0 deg")"}},
     {"fov", Kind::angle, &AerialPerspectiveBake::fov, "angle between the lower and the upper edge",
-     fov_range, Default{R"("60 deg")"}},
+     Range{0, std::numbers::pi, true, true}, Default{R"("60 deg")"}},
     {"aspect", Kind::number, &AerialPerspectiveBake::aspect, "width of the picture over its height",
-     picture_aspect_range, Default{"1.7777777777777777"}},
+     Range{1e-3, 1e3}, Default{"1.7777777777777777"}},
     {"view_distance", Kind::length, &AerialPerspectiveBake::view_distance,
      "distance at w = 1, from where the slices begin; by default that of [scene], or its default, "
      "and in space the longest way through the air",
@@ -75,9 +69,9 @@ Length default_view_distance() {
 }
 
 void check_channels(const DecodedSection& bake, Decoder& decoder) {
-    const DecodedField& content = bake.at("content");
-    if (!content.value || !decoder.channels || decoder.channels == 3) return;
-    if (choice_of<AerialContent>(content) != AerialContent::in_scatter_and_transmittance) return;
+    if (!decoder.channels || decoder.channels == 3) return;
+    const auto content = choice_of<AerialContent>(bake.at("content"));
+    if (content != AerialContent::in_scatter_and_transmittance) return;
     decoder.report(
         "E0129", bake, "content",
         fmt::format("is for three channels of light, and this recipe has {}", *decoder.channels),
@@ -93,10 +87,10 @@ double longest_way_m(const Atmosphere& atmosphere) {
 
 // Slices of a camera in space begin with the air.
 void resolve_slices(DecodedSection& bake, const Parameters& parameters) {
-    const DecodedField& altitude = bake.at("altitude");
     const Atmosphere& air = parameters.atmosphere;
     const double thickness = air.top_radius.meters - air.ground_radius.meters;
-    if (!altitude.value || std::get<double>(*altitude.value) <= thickness) return;
+    const std::optional<double> altitude = bake.number("altitude");
+    if (!altitude || *altitude <= thickness) return;
     DecodedField& begin = bake.at("slices_begin");
     derive(begin, chosen(*begin.field, SlicesBegin::air));
     if (choice_of<SlicesBegin>(begin) != SlicesBegin::air) return;
@@ -112,11 +106,10 @@ void resolve_aerial_perspective(DecodedSection& bake, const RecipeSoFar& recipe,
     resolve_slices(bake, recipe.parameters);
     check_channels(bake, decoder);
     check_pixel_type(bake, decoder);
-    const DecodedField& size = bake.at("size");
-    if (!size.value) return;
-    const auto voxels = std::get<VoxelCounts>(*size.value);
-    resolve_files(bake, voxels, Halving::down, decoder);
-    check_voxel_count(bake, voxels, 4, bake.place_of("size"), decoder);
+    const auto* voxels = bake.value<VoxelCounts>("size");
+    if (!voxels) return;
+    resolve_files(bake, *voxels, Halving::down, decoder);
+    check_voxel_count(bake, *voxels, 4, bake.place_of("size"), decoder);
 }
 
 }  // namespace

@@ -34,11 +34,16 @@ inline constexpr Field orders_field =
     key("orders", Kind::choice, "which orders of scattering; single and multiple add up to all",
         orders_choices, Default{R"("all")"});
 
-inline constexpr std::string_view single_orders[] = {"single"};
 inline constexpr Field layers_field = key(
     "layers", Kind::text_list,
     "layers of the atmosphere that scatter; by default every one, and all of them always attenuate",
-    Hint{"for example [\"aerosol\"]"}, When{"orders", single_orders});
+    Hint{"for example [\"aerosol\"]"}, When{"orders", "single"});
+
+inline constexpr Choice sun_mapping_choices[] = {
+    {MultipleScatteringMapping::hillaire, "hillaire",
+     "linear in sun cosine and altitude, with end points on texel centres"},
+    {MultipleScatteringMapping::twilight, "twilight", "more texels near sunrise and sunset"},
+};
 
 inline constexpr Field camera_altitude_field =
     key("altitude", Kind::length, "altitude of the camera, which may be in space",
@@ -53,9 +58,6 @@ inline constexpr Field max_error_field =
 
 // These are the keys of an asset's files (AssetFiles). They are described once here, for the field
 // tables of all bakes.
-inline constexpr Range voxel_range{1, 16384};
-inline constexpr Range level_range{1, 15};
-inline constexpr Range column_range{1, 16384};
 
 inline constexpr auto format_choices = []<std::size_t... i>(std::index_sequence<i...>) {
     return std::array{
@@ -85,7 +87,6 @@ inline constexpr Choice ktx2_compression_choices[] = {
     {Ktx2Compression::none, "none", "no compression"},
     {Ktx2Compression::zstd, "zstd", "Zstandard, which loaders undo"},
 };
-inline constexpr std::string_view atlas[] = {"atlas"};
 
 inline constexpr Choice compression_choices[] = {
     {Compression::none, "none", "no compression"},
@@ -106,12 +107,8 @@ struct FileWords {
 };
 
 inline constexpr FileWords table_files = {.pixel_type = R"("float")", .dithers = true};
-inline constexpr std::string_view stepped[] = {"unorm8", "unorm16"};
-
-inline constexpr Range packet_number_range{1, most_wavelengths / wavelengths_per_packet};
 
 inline constexpr Range frame_range{1, 100000};
-inline constexpr Range frame_rate_range{0.001, 1000};
 
 // Returns the row of `asset`, a section's own rows, and those of LightFiles, VolumeFrames and AssetFiles.
 template <class S, std::size_t count>
@@ -122,7 +119,7 @@ std::vector<Row<S>> with_file_fields(const Row<S> (&own)[count], const FileWords
         rows.push_back({"packet", Kind::integer, &LightFiles::packet,
                         "which four of the wavelengths the channels are; without it, of more than "
                         "four, assets NAME_1, NAME_2 ... hold all",
-                        packet_number_range});
+                        Range{1, most_wavelengths / wavelengths_per_packet}});
     }
     if constexpr (std::is_base_of_v<VolumeFrames, S>) {
         rows.push_back({"frames", Kind::integer, &VolumeFrames::frames,
@@ -131,8 +128,8 @@ std::vector<Row<S>> with_file_fields(const Row<S> (&own)[count], const FileWords
                         frame_range, Hint{"the `period` of the noise or the cloud makes a loop"},
                         Role::files});
         rows.push_back({"frames_per_second", Kind::number, &VolumeFrames::frames_per_second,
-                        "how fast the USD scene plays the frames", frame_rate_range, Default{"24"},
-                        Needs{"frames"}, Role::files});
+                        "how fast the USD scene plays the frames", Range{0.001, 1000},
+                        Default{"24"}, Needs{"frames"}, Role::files});
         rows.push_back({"frame", Kind::integer, &VolumeFrames::frame,
                         "which frame alone, counted from 1", frame_range});
     }
@@ -151,12 +148,12 @@ std::vector<Row<S>> with_file_fields(const Row<S> (&own)[count], const FileWords
          layout_choices, Default{words.layout}, Role::files},
         {"columns", Kind::integer, &AssetFiles::columns,
          "slices in a row of the atlas; by default a divisor of the slices, near to a square",
-         column_range, When{"layout", atlas}, Role::files},
+         Range{1, 16384}, When{"layout", "atlas"}, Role::files},
         {"flip", Kind::flag, &AssetFiles::flip,
          "whether EXR, PNG, TGA and HDR images are upside down, for readers that take the lower "
          "left texel for the first",
          Default{words.flip}, Role::files},
-        {"mips", Kind::levels, &AssetFiles::mips, words.mips, level_range, Default{"1"},
+        {"mips", Kind::levels, &AssetFiles::mips, words.mips, Range{1, 15}, Default{"1"},
          Hint{"\"all\" goes down to one voxel"}, Role::files},
         {"compression", Kind::choice, &AssetFiles::compression,
          "compression of the EXR file, always lossless", compression_choices, Default{R"("zip")"},
@@ -173,7 +170,7 @@ std::vector<Row<S>> with_file_fields(const Row<S> (&own)[count], const FileWords
         rows.push_back({"dither", Kind::flag, &AssetFiles::dither,
                         "whether neighbours are rounded up and down by turns, so that gradients "
                         "show no bands; texels are then off by up to a step",
-                        When{"pixel_type", stepped}});
+                        When{"pixel_type", {"unorm8", "unorm16"}}});
     }
     return rows;
 }
@@ -196,9 +193,8 @@ inline constexpr Field droplet_diameter_field =
         Cited{"Jendersie & d'Eon 2023, \"An Approximate Mie Scattering Function for Fog and Cloud "
               "Rendering\""});
 
-inline constexpr Range albedo_range{1e-6, 1};
 inline constexpr Field single_scattering_albedo_field =
     key("single_scattering_albedo", Kind::number, "share of the extinction that is scattering",
-        albedo_range, Default{"1"}, Hint{"droplets in visible light have 1"});
+        Range{1e-6, 1}, Default{"1"}, Hint{"droplets in visible light have 1"});
 
 }  // namespace skybake::config

@@ -35,71 +35,47 @@ const AssetKind* find_kind(std::string_view name) {
     return found == kinds.end() ? nullptr : *found;
 }
 
-// This is the name of an asset and the place that gives it.
-struct AssetName {
-    std::string name;
-    Place place;
-};
-
-std::optional<AssetName> asset_name(const std::string& name, const Place& place,
-                                    const Table& table) {
-    const Entry* entry = find_entry(table, "asset");
-    if (!entry) return AssetName{name, place};
-    const auto* text = std::get_if<std::string>(&entry->value.data);
-    if (!text) return std::nullopt;
-    return AssetName{*text, entry->value.place};
-}
-
-void report_unknown_asset(const AssetName& asset, const std::string& path, Decoder& decoder) {
+void report_unknown_asset(const std::string& asset, const Place& place, const std::string& path,
+                          Decoder& decoder) {
     const std::vector<std::string_view> names = asset_names();
-    std::string label = did_you_mean(asset.name, names);
+    std::string label = did_you_mean(asset, names);
     if (label.empty()) label = fmt::format("`asset` is one of {}", fmt::join(names, ", "));
     decoder.diagnostics.error(
-        "E0118", asset.place,
-        fmt::format("[{}] asks for an unknown asset `{}`", path, shorten(asset.name)),
+        "E0118", place, fmt::format("[{}] asks for an unknown asset `{}`", path, shorten(asset)),
         std::move(label));
 }
 
 // Returns none and reports an error if the asset is unknown.
-std::optional<OpenBake> read_bake(const std::string& name, const Place& place, const Table& table,
-                                  Decoder& decoder) {
-    const std::string path = join_path("bake", name);
-    check_name(name, path, "a file", place, decoder);
-    const std::optional<AssetName> asset = asset_name(name, place, table);
+std::optional<OpenBake> read_bake(const Entry& entry, Decoder& decoder) {
+    const std::string path = join_path("bake", entry.key);
+    check_name(entry, path, "a file", decoder);
+    const Table& table = *as_table(entry.value);
+    const Entry* given = find_entry(table, "asset");
+    const auto* asset = given ? std::get_if<std::string>(&given->value.data) : &entry.key;
     if (!asset) {
-        decoder.diagnostics.error("E0103", find_entry(table, "asset")->value.place,
+        decoder.diagnostics.error("E0103", given->value.place,
                                   fmt::format("`{}` must be a string", join_path(path, "asset")),
                                   fmt::format("use one of {}", fmt::join(asset_names(), ", ")));
         return std::nullopt;
     }
-    const AssetKind* kind = find_kind(asset->name);
+    const AssetKind* kind = find_kind(*asset);
     if (!kind) {
-        report_unknown_asset(*asset, path, decoder);
+        report_unknown_asset(*asset, given ? given->value.place : entry.key_place, path, decoder);
         return std::nullopt;
     }
-    OpenBake open{name, kind,
-                  decode_section(kind->section, path, place, table, Absent::filled_in, decoder)};
+    OpenBake open{
+        entry.key, kind,
+        decode_section(kind->section, path, entry.key_place, table, Absent::filled_in, decoder)};
     // The default of `asset` is the section's name, which the field table cannot know.
-    DecodedField& asset_field = open.section.at("asset");
-    if (!asset_field.source) asset_field.value = asset->name;
+    if (!given) open.section.at("asset").value = *asset;
     return open;
 }
 
-std::vector<const Entry*> bakes_in_file_order(const Table& bakes) {
-    auto entries = mapped<const Entry*>(bakes, [](const Entry& entry) { return &entry; });
-    std::ranges::stable_sort(entries, {},
-                             [](const Entry* entry) { return reading_order(entry->key_place); });
-    return entries;
-}
-
-using Names = std::vector<std::string>;
-
 // Whether the recipe has a layer of that name. The layer may be at fault or switched off.
 bool is_in_recipe(const Table& root, const std::string& name) {
-    const Table* table = find_table(root, "atmosphere");
-    const Entry* layers = table ? find_entry(*table, "layers") : nullptr;
-    const Table* named = layers ? as_table(layers->value) : nullptr;
-    return named && find_entry(*named, name);
+    const Table* atmosphere = find_table(root, "atmosphere");
+    const Table* layers = atmosphere ? find_table(*atmosphere, "layers") : nullptr;
+    return layers && find_entry(*layers, name);
 }
 
 std::string what_there_is(const std::string& name, const Atmosphere& atmosphere) {
@@ -115,10 +91,10 @@ void check_layer_names(const DecodedSection& bake, std::string_view key, const T
                        const Atmosphere& atmosphere, Decoder& decoder) {
     const DecodedField* decoded = bake.find(key);
     if (!decoded || !decoded->value || !decoded->source || !decoder.complete) return;
-    const auto& names = std::get<Names>(*decoded->value);
+    const auto& names = *decoded->as<std::vector<std::string>>();
     for (auto name = names.begin(); name != names.end(); ++name) {
-        const bool known = std::ranges::any_of(
-            atmosphere.layers, [&](const Layer& layer) { return layer.name == *name; });
+        const auto& layers = atmosphere.layers;
+        const bool known = std::ranges::find(layers, *name, &Layer::name) != layers.end();
         const bool again = std::find(names.begin(), name, *name) != name;
         // A layer that exists but could not be read has been reported already.
         const bool is_off = !known && is_in_recipe(root, *name);
@@ -146,10 +122,10 @@ DecodedSection cut_to_packet(DecodedSection section, const Parameters& recipe, i
 }
 
 Bake bind(const OpenBake& bake, const Parameters& recipe) {
-    const DecodedField* packet = bake.section.find("packet");
-    if (!packet || !packet->value) return bake.kind->bind(bake.name, bake.section);
-    const int number = static_cast<int>(std::get<double>(*packet->value));
-    return bake.kind->bind(bake.name, cut_to_packet(bake.section, recipe, number));
+    const bool has_packets = bake.section.find("packet") != nullptr;
+    const std::optional<int> packet = has_packets ? bake.section.whole("packet") : std::nullopt;
+    if (!packet) return bake.kind->bind(bake.name, bake.section);
+    return bake.kind->bind(bake.name, cut_to_packet(bake.section, recipe, *packet));
 }
 
 }  // namespace
@@ -183,12 +159,10 @@ int frame_of(const Parameters& parameters, const Bake& bake) {
 std::vector<Bake> decode_bakes(const Table& root, const Parameters& recipe, Decoder& decoder) {
     std::vector<OpenBake> open;
     std::vector<std::string_view> unreadable;
-    const std::vector<const Entry*> entries =
-        bakes_in_file_order(subtable(root, "bake", "", decoder));
+    const std::vector<const Entry*> entries = in_reading_order(subtable(root, "bake", "", decoder));
     for (const Entry* entry : entries) {
-        const Table* table = named_table(*entry, "bake", decoder);
-        std::optional<OpenBake> bake =
-            table ? read_bake(entry->key, entry->key_place, *table, decoder) : std::nullopt;
+        const bool is_table = named_table(*entry, "bake", decoder) != nullptr;
+        std::optional<OpenBake> bake = is_table ? read_bake(*entry, decoder) : std::nullopt;
         if (bake) {
             open.push_back(std::move(*bake));
         } else {

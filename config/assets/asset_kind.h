@@ -15,6 +15,7 @@
 #include "config/fields/roles.h"
 #include "config/fields/section_decoder.h"
 #include "config/sections/parameters.h"
+#include "config/text/mapped.h"
 
 namespace skybake::config {
 
@@ -86,8 +87,8 @@ AssetKind make_asset_kind(const AssetFacts& facts, std::vector<Row<Asset>> rows,
                           ResolveAsset resolve = nullptr) {
     AssetKind kind;
     kind.facts = facts;
-    kind.section = {"bake.*", facts.name, facts.documentation, {}};
-    for (const Row<Asset>& row : rows) kind.section.fields.push_back(row.field);
+    kind.section = {"bake.*", facts.name, facts.documentation,
+                    mapped<Field>(rows, &Row<Asset>::field)};
     kind.resolve = resolve;
     kind.bind = [rows = std::move(rows)](const std::string& name, const DecodedSection& section) {
         Asset asset;

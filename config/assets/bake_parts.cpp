@@ -25,20 +25,16 @@ bool holds_wavelengths(const AssetKind& kind, const Parameters& recipe) {
 // Reports and removes a packet that the recipe does not have, or that an asset of colours cannot
 // hold.
 void check_packet(OpenBake& bake, const Parameters& recipe, Decoder& decoder) {
-    DecodedField& decoded = bake.section.at("packet");
-    const int packet = static_cast<int>(std::get<double>(*decoded.value));
+    const int packet = *bake.section.whole("packet");
     const bool has_wavelengths = holds_wavelengths(*bake.kind, recipe);
     if (has_wavelengths && packet <= packet_count(recipe)) return;
-    decoded.value.reset();
-    const std::string path = join_path(bake.section.path, "packet");
-    decoder.diagnostics.error(
-        "E0147", decoded.source->place,
-        has_wavelengths
-            ? fmt::format("`{}` is {}; the recipe has {} wavelengths", path, packet,
-                          recipe.wavelengths.size())
-            : fmt::format("`{}`: this asset holds colours made of all wavelengths", path),
-        has_wavelengths ? fmt::format("give at most {}", packet_count(recipe))
-                        : "leave it out, or set [color] space to \"none\"");
+    bake.section.at("packet").value.reset();
+    decoder.report("E0147", bake.section, "packet",
+                   has_wavelengths ? fmt::format("is {}; the recipe has {} wavelengths", packet,
+                                                 recipe.wavelengths.size())
+                                   : ": this asset holds colours made of all wavelengths",
+                   has_wavelengths ? fmt::format("give at most {}", packet_count(recipe))
+                                   : "leave it out, or set [color] space to \"none\"");
 }
 
 OpenBake part_of(const OpenBake& whole, std::string name) {
@@ -59,13 +55,6 @@ std::vector<OpenBake> divided_by_light(const OpenBake& whole, const Parameters& 
     return parts;
 }
 
-// Sets a value of a part. The key keeps its place in the recipe.
-template <class T>
-void replace(DecodedField& decoded, T value) {
-    decoded.value = std::move(value);
-    decoded.derived = true;
-}
-
 // Makes a bake forget of how many frames it is one. A frame is the same in a longer sequence.
 void forget_sequence(DecodedSection& bake) {
     for (const std::string_view key : {"frames", "frames_per_second"}) {
@@ -76,39 +65,33 @@ void forget_sequence(DecodedSection& bake) {
     }
 }
 
+bool only_refers(ChoiceIndex format) { return file_formats[format.index].only_refers; }
+
 // Whether some file beside the voxels places or plays them: a scene, or a target's own file.
 bool has_scene(const DecodedSection& bake) {
-    const DecodedField& formats = bake.at("formats");
-    if (!formats.value) return false;
+    const auto* formats = bake.value<std::vector<ChoiceIndex>>("formats");
+    if (!formats) return false;
     const auto target = choice_of<Target>(bake.at("target"));
     // Scenes of pbrt have no variables, so that each frame has its own.
     const bool plays = target && *target != Target::none && *target != Target::pbrt;
     if (bake.find("frames") && plays) return true;
-    const auto& chosen = std::get<std::vector<ChoiceIndex>>(*formats.value);
-    return std::ranges::any_of(
-        chosen, [](ChoiceIndex choice) { return file_formats[choice.index].only_refers; });
+    return std::ranges::any_of(*formats, only_refers);
 }
 
 // Removes files that place other files: those of the first frame place all frames.
 void remove_scene(DecodedSection& bake) {
-    auto chosen = std::get<std::vector<ChoiceIndex>>(*bake.at("formats").value);
-    chosen.erase(
-        std::remove_if(chosen.begin(), chosen.end(),
-                       [](ChoiceIndex choice) { return file_formats[choice.index].only_refers; }),
-        chosen.end());
-    replace(bake.at("formats"), std::move(chosen));
+    auto formats = *bake.value<std::vector<ChoiceIndex>>("formats");
+    std::erase_if(formats, only_refers);
+    replace(bake.at("formats"), std::move(formats));
     DecodedField& target = bake.at("target");
-    if (target.value) replace(target, FieldValue(config::chosen(*target.field, Target::none)));
+    if (target.value) replace(target, chosen(*target.field, Target::none));
 }
 
 // Whether a bake is the first frame of a sequence that its files place, as those files carry it.
 bool is_carried_first(const OpenBake& bake) {
-    const DecodedField& frames = bake.section.at("frames");
-    const DecodedField& frame = bake.section.at("frame");
-    if (!frames.value || !frame.value || !has_scene(bake.section)) return false;
-    const int count = static_cast<int>(std::get<double>(*frames.value));
-    return std::get<double>(*frame.value) == 1 &&
-           bake.name == frame_name(sequence_name(bake.name), 1, count);
+    const std::optional<int> frames = bake.section.whole("frames");
+    return frames && bake.section.whole("frame") == 1 && has_scene(bake.section) &&
+           bake.name == frame_name(sequence_name(bake.name), 1, *frames);
 }
 
 // Returns a bake for each frame. An asset that is made from another one is made from its frame.
@@ -122,8 +105,8 @@ std::vector<OpenBake> divided_in_time(const OpenBake& whole, int frames) {
         if (part.section.find("frame") != nullptr) {
             derive(part.section.at("frame"), static_cast<double>(frame));
         } else {
-            const std::string* of = text_of(part.section.at("of"));
-            replace(part.section.at("of"), frame_name(*of, frame, frames));
+            const auto& of = *part.section.value<std::string>("of");
+            replace(part.section.at("of"), frame_name(of, frame, frames));
         }
         parts.push_back(std::move(part));
     }
@@ -152,12 +135,10 @@ void check_part_names(const OpenBake& whole, const std::vector<OpenBake>& parts,
 int frames_to_divide(const OpenBake& bake, const std::map<std::string, int>& sequences) {
     const DecodedField* frames = bake.section.find("frames");
     const DecodedField* frame = bake.section.find("frame");
-    if (frames && frames->value && frame && !frame->source) {
-        return static_cast<int>(std::get<double>(*frames->value));
-    }
+    if (frames && frames->value && frame && !frame->source) return *bake.section.whole("frames");
     if (!bake.kind->facts.of_another_bake || bake.kind->facts.of_all_frames) return 0;
     const DecodedField* of = bake.section.find("of");  // an environment has clouds in its place
-    const std::string* name = of ? text_of(*of) : nullptr;
+    const auto* name = of ? of->as<std::string>() : nullptr;
     const auto found = name ? sequences.find(*name) : sequences.end();
     return found == sequences.end() ? 0 : found->second;
 }

@@ -11,8 +11,6 @@
 namespace skybake::config {
 namespace {
 
-constexpr Range mask_edge_range{2, 4096};
-constexpr Range mask_frame_range{1, 1024};
 constexpr Range mask_sigma_range{0.5, 8};
 
 // The mask is made in memory, with 22 bytes for each voxel.
@@ -22,12 +20,12 @@ constexpr std::string_view wolfe_2022 =
     "Wolfe, Morrical, Akenine-Möller and Ramamoorthi 2022, Spatiotemporal Blue Noise Masks";
 
 const Row<BlueNoiseBake> blue_noise_table[] = {
-    {"size", Kind::size, &BlueNoiseBake::size, "pixels along x and y", mask_edge_range,
+    {"size", Kind::size, &BlueNoiseBake::size, "pixels along x and y", Range{2, 4096},
      Default{"[128, 128]"},
      Hint{"if both are multiples of 16, each value of unorm8 is equally frequent"},
      Cited{wolfe_2022}},
     {"frames", Kind::integer, &BlueNoiseBake::frames,
-     "number of frames, along z; 1 gives a mask without time", mask_frame_range, Default{"64"},
+     "number of frames, along z; 1 gives a mask without time", Range{1, 1024}, Default{"64"},
      Cited{wolfe_2022}},
     {"seed", Kind::seed, &BlueNoiseBake::seed, "another seed gives another mask of the same kind",
      Default{"0"}},
@@ -51,8 +49,7 @@ void check_mask_size(const DecodedSection& bake, const VoxelCounts& size, Decode
 
 // Means of neighbours are all near 1/2 and no blue noise.
 void check_one_level(const DecodedSection& bake, Decoder& decoder) {
-    const DecodedField& mips = bake.at("mips");
-    if (!mips.value || std::get<double>(*mips.value) == 1) return;
+    if (bake.whole("mips").value_or(1) == 1) return;
     decoder.report("E0110", bake, "mips", "is out of range: blue noise has one level",
                    "a mean of several pixels is about 1/2 everywhere");
 }
@@ -74,11 +71,10 @@ void resolve_blue_noise(DecodedSection& bake, const RecipeSoFar&, Decoder& decod
     check_pixel_type(bake, decoder);
     refuse_blocks(bake, "blue noise, whose values must stay apart", decoder);
     check_one_level(bake, decoder);
-    const DecodedField& size = bake.at("size");
-    const DecodedField& frames = bake.at("frames");
-    if (!size.value || !frames.value) return;
-    const auto [width, height] = std::get<std::array<int, 2>>(*size.value);
-    const VoxelCounts voxels = {width, height, static_cast<int>(std::get<double>(*frames.value))};
+    const auto* size = bake.value<std::array<int, 2>>("size");
+    const std::optional<int> frames = bake.whole("frames");
+    if (!size || !frames) return;
+    const VoxelCounts voxels = {(*size)[0], (*size)[1], *frames};
     resolve_files(bake, voxels, Halving::down, decoder);
     check_mask_size(bake, voxels, decoder);
     warn_of_takram(bake, voxels, decoder);

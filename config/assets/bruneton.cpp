@@ -16,14 +16,6 @@
 namespace skybake::config {
 namespace {
 
-constexpr Range nu_range{1, 1024};
-
-constexpr Range orders_range{1, 1000};
-
-constexpr Range sun_cosine_range{-1, 0, false, true};
-
-constexpr Range solar_range{0, 1e6, true};
-
 constexpr Choice bruneton_table_choices[] = {
     {BrunetonTable::transmittance, "transmittance", "transmittance to the top of the atmosphere"},
     {BrunetonTable::scattering, "scattering",
@@ -41,12 +33,7 @@ constexpr Choice convention_choices[] = {
     {BrunetonConvention::calcmysky, "calcmysky", "the sun's axis of CalcMySky and Stellarium"},
 };
 
-constexpr std::string_view by_nu[] = {"scattering", "single_mie", "higher_orders"};
-constexpr std::string_view scattering[] = {"scattering"};
-constexpr std::string_view with_light[] = {"scattering", "single_mie", "higher_orders",
-                                           "irradiance"};
-
-constexpr std::string_view with_orders[] = {"scattering", "higher_orders", "irradiance"};
+constexpr Words by_nu = {"scattering", "single_mie", "higher_orders"};
 
 const Row<BrunetonBake> bruneton_table[] = {
     {"table", Kind::choice, &BrunetonBake::table, "which of the tables to bake",
@@ -56,27 +43,28 @@ const Row<BrunetonBake> bruneton_table[] = {
     {"size", Kind::voxels, &BrunetonBake::size,
      "texels along u, v, w; by default [256, 128, 32] of scattering, [256, 64, 1] of "
      "transmittance, [64, 16, 1] of irradiance",
-     voxel_range, Cited{bruneton_2017}},
+     texel_range, Cited{bruneton_2017}},
     {"nu_size", Kind::integer, &BrunetonBake::nu_size,
-     "number of angles between view and sun, side by side along u", nu_range, Default{"8"},
+     "number of angles between view and sun, side by side along u", Range{1, 1024}, Default{"8"},
      When{"table", by_nu}, Cited{bruneton_2017}},
     {"combined", Kind::flag, &BrunetonBake::combined,
      "whether A holds the Mie layers' first order, red alone, as takram's loader expects, for "
      "which it is true by default; otherwise the table is R G B, and single_mie holds that order",
-     When{"table", scattering}},
+     When{"table", "scattering"}},
     {"orders", Kind::levels, &BrunetonBake::orders,
-     "number of orders of scattering, with the first", orders_range, Default{R"("all")"},
-     Hint{"Bruneton uses 4"}, When{"table", with_orders}},
+     "number of orders of scattering, with the first", Range{1, 1000}, Default{R"("all")"},
+     Hint{"Bruneton uses 4"}, When{"table", {"scattering", "higher_orders", "irradiance"}}},
     {"sun_cos_zenith_min", Kind::number, &BrunetonBake::sun_cos_zenith_min,
      "where the sun's axis begins; by default -0.5 for takram, as its loader expects, -R / (2 "
      "R_top) for calcmysky, which takes no other, and else cos 102 deg",
-     sun_cosine_range, When{"table", by_nu}, Cited{bruneton_2017}},
+     Range{-1, 0, false, true}, When{"table", by_nu}, Cited{bruneton_2017}},
     {"mie_layers", Kind::text_list, &BrunetonBake::mie_layers,
      "layers whose first order is kept apart; by default those with phase functions other than "
      "rayleigh and isotropic",
      Hint{"for example [\"aerosol\"]"}, When{"table", by_nu}},
     {"solar_irradiance", Kind::fractions, &BrunetonBake::solar_irradiance,
-     "factor of all light; by default 1, or takram's own", solar_range, When{"table", with_light}},
+     "factor of all light; by default 1, or takram's own", Range{0, 1e6, true},
+     When{"table", {"scattering", "single_mie", "higher_orders", "irradiance"}}},
 };
 
 // This is the cosine of 102 deg. Below it, Bruneton's half floats hold no light. takram uses the
@@ -148,22 +136,19 @@ std::vector<double> default_solar_irradiance(BrunetonConvention convention,
 
 // Reports sub-images that do not divide the texels along u, or are too few or too small (E0142).
 void check_nu(const DecodedSection& bake, const VoxelCounts& size, Decoder& decoder) {
-    const DecodedField& decoded = bake.at("nu_size");
-    if (!decoded.value) return;
-    const int nu_size = static_cast<int>(std::get<double>(*decoded.value));
-    if (nu_size >= 2 && size[0] % nu_size == 0 && size[0] / nu_size >= 2) return;
-    report_size(bake,
-                fmt::format("`{}` does not divide {} texels into sub-images: {}",
-                            join_path(bake.path, "nu_size"), size[0], nu_size),
-                "it needs at least two sub-images, each of at least two texels", decoder);
+    const std::optional<int> nu_size = bake.whole("nu_size");
+    if (!nu_size || (*nu_size >= 2 && size[0] % *nu_size == 0 && size[0] / *nu_size >= 2)) return;
+    decoder.diagnostics.error("E0142", bake.place_of("size"),
+                              fmt::format("`{}` does not divide {} texels into sub-images: {}",
+                                          join_path(bake.path, "nu_size"), size[0], *nu_size),
+                              "it needs at least two sub-images, each of at least two texels");
 }
 
 // Reports an odd number of texels along v (E0142).
 void check_halves(const DecodedSection& bake, const VoxelCounts& size, Decoder& decoder) {
     if (size[1] % 2 == 0) return;
-    report_size(bake,
-                fmt::format("`{}` has {} texels along v", join_path(bake.path, "size"), size[1]),
-                "give an even number: half of them are for rays to the ground", decoder);
+    decoder.report("E0142", bake, "size", fmt::format("has {} texels along v", size[1]),
+                   "give an even number: half of them are for rays to the ground");
 }
 
 // Reports a combined table whose A would be a fifth channel, or the second or third, which no
@@ -171,8 +156,8 @@ void check_halves(const DecodedSection& bake, const VoxelCounts& size, Decoder& 
 void check_combined(const DecodedSection& bake, const Parameters& recipe, Decoder& decoder) {
     const std::size_t channels = channels_of_light(recipe);
     if (channels == 1 || channels == 3 || channels == 0) return;
-    const DecodedField& combined = bake.at("combined");
-    if (!combined.value || !std::get<bool>(*combined.value)) return;
+    const auto* combined = bake.value<bool>("combined");
+    if (!combined || !*combined) return;
     decoder.report(
         "E0129", bake, "combined",
         fmt::format("is for one or three channels of light, and this recipe has {}", channels),
@@ -190,17 +175,13 @@ void check_takram(const DecodedSection& bake, const Parameters& recipe, Decoder&
 // Warns of values other than those that takram's loader takes for granted (W0205). The loader would
 // look such a file up wrongly.
 void warn_of_loader(const DecodedSection& bake, const VoxelCounts& usual_size, Decoder& decoder) {
-    const auto is_number = [&](std::string_view key, double wanted) {
-        const DecodedField& decoded = bake.at(key);
-        return !decoded.value || std::get<double>(*decoded.value) == wanted;
-    };
     const char* unusual = nullptr;
-    if (std::get<VoxelCounts>(*bake.at("size").value) != usual_size) unusual = "size";
-    if (!is_number("nu_size", 8)) unusual = "nu_size";
-    if (!is_number("mips", 1)) unusual = "mips";
+    if (*bake.value<VoxelCounts>("size") != usual_size) unusual = "size";
+    if (bake.whole("nu_size").value_or(8) != 8) unusual = "nu_size";
+    if (bake.whole("mips").value_or(1) != 1) unusual = "mips";
     if (choice_of<SheetLayout>(bake.at("layout")) != SheetLayout::stack) unusual = "layout";
     if (choice_of<PixelType>(bake.at("pixel_type")) != PixelType::half) unusual = "pixel_type";
-    if (!std::get<bool>(*bake.at("flip").value)) unusual = "flip";
+    if (const auto* flip = bake.value<bool>("flip"); flip && !*flip) unusual = "flip";
     if (!unusual) return;
     decoder.report(
         "W0205", bake, unusual, "is not what @takram/three-atmosphere loads",
@@ -209,8 +190,7 @@ void warn_of_loader(const DecodedSection& bake, const VoxelCounts& usual_size, D
 
 // Reports a sun's axis that CalcMySky does not have (E0110). Files carry the one that it has.
 void check_calcmysky(const DecodedSection& bake, double usual, Decoder& decoder) {
-    const DecodedField& least = bake.at("sun_cos_zenith_min");
-    if (!least.source || !least.value || std::get<double>(*least.value) == usual) return;
+    if (bake.number("sun_cos_zenith_min").value_or(usual) == usual) return;
     decoder.report("E0110", bake, "sun_cos_zenith_min",
                    "follows from the planet with convention = \"calcmysky\"",
                    "leave it out, or take another convention");
@@ -218,8 +198,7 @@ void check_calcmysky(const DecodedSection& bake, double usual, Decoder& decoder)
 
 // Reports `orders = 1` for the table of orders above the first, which would have no orders (E0110).
 void check_higher_orders(const DecodedSection& bake, Decoder& decoder) {
-    const DecodedField& orders = bake.at("orders");
-    if (!orders.value || std::get<double>(*orders.value) != 1) return;
+    if (bake.whole("orders") != 1) return;
     decoder.report("E0110", bake, "orders", "is out of range: 1",
                    "higher_orders holds the second order and above: give at least 2, or \"all\"");
 }
@@ -248,15 +227,16 @@ void resolve_bruneton(DecodedSection& bake, const RecipeSoFar& so_far, Decoder& 
         derive(bake.at("solar_irradiance"), default_solar_irradiance(*convention, recipe));
     }
     resolve_axes_and_files(bake, is_flat ? 2 : 3, 4, decoder);
-    if (!is_flat && bake.at("size").value) {
-        check_nu(bake, std::get<VoxelCounts>(*bake.at("size").value), decoder);
-        check_halves(bake, std::get<VoxelCounts>(*bake.at("size").value), decoder);
+    const auto* size = bake.value<VoxelCounts>("size");
+    if (!is_flat && size) {
+        check_nu(bake, *size, decoder);
+        check_halves(bake, *size, decoder);
     }
     if (*table == BrunetonTable::scattering) check_combined(bake, recipe, decoder);
     if (*table == BrunetonTable::higher_orders) check_higher_orders(bake, decoder);
     if (*convention == BrunetonConvention::takram && decoder.complete) {
         check_takram(bake, recipe, decoder);
-        if (bake.at("size").value) warn_of_loader(bake, default_size(*table), decoder);
+        if (size) warn_of_loader(bake, default_size(*table), decoder);
     }
 }
 

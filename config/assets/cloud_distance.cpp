@@ -3,18 +3,13 @@
 #include "config/assets/asset_fields.h"
 #include "config/assets/asset_kind.h"
 #include "config/assets/cloud_volume.h"
-#include "config/assets/file_decoder.h"
 #include "config/assets/source_volume.h"
 #include "config/fields/fields.h"
 #include "config/fields/section_decoder.h"
 #include "config/sections/parameters.h"
-#include "config/text/key_path.h"
 
 namespace skybake::config {
 namespace {
-
-constexpr Range distance_range{-1e9, 1e9};
-constexpr Range core_range{1e-3, 1e9};
 
 constexpr std::string_view schneider_2023 =
     "Schneider 2023, Nubis Cubed: Methods (and madness) to model and render immersive real-time "
@@ -38,80 +33,57 @@ const Row<CloudDistanceBake> distance_table[] = {
     {"range", Kind::length_bounds, &CloudDistanceBake::range,
      "least and greatest distance, which unorm types store as 0 and 1; distances beyond it are "
      "stored as its ends",
-     distance_range, Default{R"(["-256 m", "4096 m"])"},
+     Range{-1e9, 1e9}, Default{R"(["-256 m", "4096 m"])"},
      Hint{"a texel holds 0 exactly where the ends are as -1 to 16"}, Cited{schneider_2023}},
     {"core", Kind::length, &CloudDistanceBake::core,
-     "depth from which the profile is 1; by default the greatest depth of the volume", core_range},
+     "depth from which the profile is 1; by default the greatest depth of the volume",
+     Range{1e-3, 1e9}},
     {"contents", Kind::choice_list, &CloudDistanceBake::contents,
      "what the one, three or four channels hold, in this order", distance_content_choices,
      Default{R"(["distance"])"}, Cited{schneider_2023}},
 };
 
-// This is one section while it is resolved.
-struct DistanceResolver {
-    DecodedSection& bake;
-    const RecipeSoFar& recipe;
-    Decoder& decoder;
-
-    std::size_t check_contents() const {
-        const std::size_t channels = check_channels();
-        check_range();
-        return channels;
+// Returns the number of channels, or 1 if it cannot be told.
+std::size_t check_distance_contents(const DecodedSection& bake, Decoder& decoder) {
+    const auto* contents = bake.value<std::vector<ChoiceIndex>>("contents");
+    if (!contents) return 1;
+    if (contents->size() == 2) {
+        decoder.report("E0129", bake, "contents", "has two channels",
+                       "a picture has one, three or four channels: add one, or bake two assets");
+    } else if (!distance_content_choices[contents->front().index].is(DistanceContent::distance)) {
+        decoder.report("E0175", bake, "contents", "does not begin with \"distance\"",
+                       "lookups find the distance in the first channel");
     }
+    return contents->size();
+}
 
-    std::size_t check_channels() const {
-        const DecodedField& decoded = bake.at("contents");
-        if (!decoded.value) return 1;
-        const auto& contents = std::get<std::vector<ChoiceIndex>>(*decoded.value);
-        const std::string path = join_path(bake.path, "contents");
-        if (contents.size() == 2) {
-            decoder.report(
-                "E0129", bake, "contents", "has two channels",
-                "a picture has one, three or four channels: add one, or bake two assets");
-        } else if (!distance_content_choices[contents.front().index].is(
-                       DistanceContent::distance)) {
-            decoder.report("E0175", bake, "contents", "does not begin with \"distance\"",
-                           "lookups find the distance in the first channel");
-        }
-        return contents.size();
-    }
+// A surface has the distance 0.
+void check_distance_range(const DecodedSection& bake, Decoder& decoder) {
+    const auto* ends = bake.value<std::array<double, 2>>("range");
+    if (!ends || ((*ends)[0] <= 0 && (*ends)[1] > 0)) return;
+    decoder.report("E0175", bake, "range", "has no room for the distance 0",
+                   "begin it at or below 0 m, and end it above 0 m");
+}
 
-    // A surface has the distance 0.
-    void check_range() const {
-        const DecodedField& decoded = bake.at("range");
-        if (!decoded.value) return;
-        const auto& ends = std::get<std::array<double, 2>>(*decoded.value);
-        if (ends[0] <= 0 && ends[1] > 0) return;
-        decoder.report("E0175", bake, "range", "has no room for the distance 0",
-                       "begin it at or below 0 m, and end it above 0 m");
-    }
-
-    void check_cells(const VoxelCounts&) const {}
-
-    void check_tiling(const CloudVolumeBake& volume, int cell) const {
-        check_levels();
-        for (std::size_t axis = 0; axis < 2; ++axis) {
-            if (volume.size[axis] % cell != 0) {
-                return report_untiled(bake, volume, cell, axis, decoder);
-            }
-        }
-    }
-
-    // The mean of distances is no distance to keep to.
-    void check_levels() const {
-        const DecodedField& mips = bake.at("mips");
-        if (!mips.value || std::get<double>(*mips.value) == 1 || mips.source == nullptr) return;
-        decoder.report("E0110", bake, "mips", "must be 1",
-                       "bake another cloud_distance with a larger `cell`");
-    }
-};
+// The mean of distances is no distance to keep to.
+void check_single_level(const DecodedSection& bake, Decoder& decoder) {
+    if (bake.whole("mips").value_or(1) == 1 || !bake.gives("mips")) return;
+    decoder.report("E0110", bake, "mips", "must be 1",
+                   "bake another cloud_distance with a larger `cell`");
+}
 
 // Reports two contents (E0129), other contents than the distance in the first channel and a range
 // without 0 (E0175), texels that do not tile as the volume does (E0150), levels (E0110), and what
-// resolve_cells reports.
+// find_cells and resolve_cells report.
 void resolve_distance(DecodedSection& bake, const RecipeSoFar& recipe, Decoder& decoder) {
-    resolve_cells(DistanceResolver{bake, recipe, decoder},
-                  "cloud_distance, whose distances must not grow");
+    const std::size_t channels = check_distance_contents(bake, decoder);
+    check_distance_range(bake, decoder);
+    const auto cells =
+        find_cells(bake, recipe, "cloud_distance, whose distances must not grow", decoder);
+    if (!cells) return;
+    resolve_cells(bake, *cells, channels, recipe, decoder);
+    check_single_level(bake, decoder);
+    check_tiling(bake, *cells, false, decoder);
 }
 
 }  // namespace

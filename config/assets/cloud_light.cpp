@@ -20,11 +20,9 @@ namespace skybake::config {
 namespace {
 
 constexpr Range light_cell_range{1, most_cloud_light_cell};
-constexpr Range part_range{1, 4};
 constexpr double degree_in_radians = std::numbers::pi / 180;
 // A ray at 1 degree passes 57 voxels for each one that it rises.
 constexpr Range sun_range{degree_in_radians, std::numbers::pi / 2};
-constexpr Range azimuth_range{-2 * std::numbers::pi, 2 * std::numbers::pi};
 
 constexpr Choice contents_choices[] = {
     {CloudLightContents::optical_depth, "optical_depth",
@@ -48,20 +46,17 @@ constexpr Choice contents_choices[] = {
      "light of uniform ground that the cloud scatters, of all orders, as such harmonics"},
 };
 
-constexpr std::string_view of_suns[] = {"optical_depth", "transmittance", "shadow", "sun_radiance",
-                                        "clear_sky_radiance"};
-constexpr std::string_view in_harmonics[] = {"optical_depth_harmonics",
-                                             "transmittance_harmonics",
-                                             "sky_visibility",
-                                             "sun_radiance",
-                                             "sky_radiance",
-                                             "clear_sky_radiance",
-                                             "ground_radiance"};
-constexpr std::string_view of_depths[] = {
-    "optical_depth",           "transmittance",           "shadow",
-    "optical_depth_harmonics", "transmittance_harmonics", "sky_visibility"};
-constexpr std::string_view of_radiance[] = {"sun_radiance", "sky_radiance", "clear_sky_radiance",
-                                            "ground_radiance"};
+constexpr Words of_suns = {"optical_depth", "transmittance", "shadow", "sun_radiance",
+                           "clear_sky_radiance"};
+constexpr Words in_harmonics = {"optical_depth_harmonics",
+                                "transmittance_harmonics",
+                                "sky_visibility",
+                                "sun_radiance",
+                                "sky_radiance",
+                                "clear_sky_radiance",
+                                "ground_radiance"};
+constexpr Words of_radiance = {"sun_radiance", "sky_radiance", "clear_sky_radiance",
+                               "ground_radiance"};
 
 const Row<CloudLightBake> cloud_light_table[] = {
     {source_volume_field, &CloudLightBake::of},
@@ -73,14 +68,14 @@ const Row<CloudLightBake> cloud_light_table[] = {
      KeyFlag::required, Hint{"for example [\"60 deg\", \"30 deg\", \"10 deg\"]"},
      When{"contents", of_suns}},
     {"sun_azimuths", Kind::angles, &CloudLightBake::sun_azimuths,
-     "azimuth of each sun, from +x towards +y; by default all 0", azimuth_range,
+     "azimuth of each sun, from +x towards +y; by default all 0", turn_range,
      When{"contents", of_suns}},
     {"degree", Kind::integer, &CloudLightBake::degree,
      "degree of the harmonics, which have (degree + 1)^2 coefficients", harmonics_degree_range,
      Default{"1"}, When{"contents", in_harmonics}},
     {"part", Kind::integer, &CloudLightBake::part,
      "which four of the coefficients the channels are; degree 2 has 3 parts, degree 3 has 4",
-     part_range, Default{"1"}, When{"contents", in_harmonics}},
+     Range{1, 4}, Default{"1"}, When{"contents", in_harmonics}},
     {"cell", Kind::integer, &CloudLightBake::cell,
      "voxels along each edge of a texel: 4 gives 1/64 as many texels as the volume has voxels; by "
      "default 2 of what is stored for each sun, whose shadows have edges",
@@ -89,7 +84,9 @@ const Row<CloudLightBake> cloud_light_table[] = {
      "in place of cell, asks for the fewest texels of which the RMS error of lookups within cloud "
      "is at most this share of the light that nothing shades",
      lookup_error_range, Hint{"for example \"5 %\""}, Exclusive{"size"},
-     When{"contents", of_depths}},
+     When{"contents",
+          {"optical_depth", "transmittance", "shadow", "optical_depth_harmonics",
+           "transmittance_harmonics", "sky_visibility"}}},
     {with(droplet_diameter_field, When{"contents", of_radiance}),
      &CloudLightBake::droplet_diameter},
     {with(single_scattering_albedo_field, When{"contents", of_radiance}),
@@ -97,10 +94,7 @@ const Row<CloudLightBake> cloud_light_table[] = {
 };
 
 VoxelCounts texels_of(const CloudVolumeBake& volume, int cell, bool is_map) {
-    VoxelCounts texels{};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        texels[axis] = (volume.size[axis] + cell - 1) / cell;
-    }
+    VoxelCounts texels = cells_of(volume, cell);
     if (is_map) texels[2] = 1;
     return texels;
 }
@@ -118,14 +112,19 @@ void check_cells(const DecodedSection& bake, const CloudVolumeBake& volume,
 // the layer's extinction times its thickness over sin(e), which is at least 2 e / pi.
 void derive_pixel_type(DecodedSection& bake, CloudLightContents contents, const Cloud* cloud) {
     constexpr double largest_half = 65504;
-    const DecodedField& suns = bake.at("sun_elevations");
-    if (!is_depth(contents) || !cloud || !suns.value) return;
-    const auto& elevations = std::get<std::vector<double>>(*suns.value);
-    const double lowest = *std::ranges::min_element(elevations);
+    const auto* elevations = bake.value<std::vector<double>>("sun_elevations");
+    if (!is_depth(contents) || !cloud || !elevations) return;
+    const double lowest = *std::ranges::min_element(*elevations);
     const double depth = cloud->extinction_scale.per_meter * cloud->extent[2].meters *
                          std::numbers::pi / (2 * lowest);
     DecodedField& type = bake.at("pixel_type");
     if (!(depth <= largest_half)) derive(type, chosen(*type.field, PixelType::float32));
+}
+
+// Returns how many of the four channels of a part hold coefficients.
+std::size_t harmonics_in_part(int degree, int part) {
+    const int coefficients = (degree + 1) * (degree + 1);
+    return static_cast<std::size_t>(std::clamp(coefficients - 4 * (part - 1), 0, 4));
 }
 
 // This is one section while it is checked.
@@ -134,8 +133,8 @@ struct ContentsCheck {
     Decoder& decoder;
 
     std::size_t angles(std::string_view key) const {
-        const auto& value = bake.at(key).value;
-        return value ? std::get<std::vector<double>>(*value).size() : 0;
+        const auto* value = bake.value<std::vector<double>>(key);
+        return value ? value->size() : 0;
     }
 
     // Returns the number of suns, or 1 if it cannot be told.
@@ -173,22 +172,18 @@ struct ContentsCheck {
     }
 
     std::size_t check_part() const {
-        const auto& degree = bake.at("degree").value;
-        const auto& part = bake.at("part").value;
+        const std::optional<int> degree = bake.whole("degree");
+        const std::optional<int> part = bake.whole("part");
         if (!degree || !part) return 1;
-        CloudLightBake harmonics;
-        harmonics.contents = CloudLightContents::sky_visibility;
-        harmonics.degree = static_cast<int>(std::get<double>(*degree));
-        harmonics.part = static_cast<int>(std::get<double>(*part));
-        const std::size_t channels = channels_of(harmonics);
+        const std::size_t channels = harmonics_in_part(*degree, *part);
         if (channels > 0) return channels;
-        const int coefficients = (harmonics.degree + 1) * (harmonics.degree + 1);
+        const int coefficients = (*degree + 1) * (*degree + 1);
         const int parts = (coefficients + 3) / 4;
         decoder.report(
             "E0171", bake, "part",
             fmt::format("is {}, but harmonics of degree {} have {} coefficient{} in {} part{}",
-                        harmonics.part, harmonics.degree, coefficients,
-                        coefficients == 1 ? "" : "s", parts, parts == 1 ? "" : "s"),
+                        *part, *degree, coefficients, coefficients == 1 ? "" : "s", parts,
+                        parts == 1 ? "" : "s"),
             fmt::format("use at most {}", parts));
         return 1;
     }
@@ -245,15 +240,14 @@ void resolve_cloud_light(DecodedSection& bake, const RecipeSoFar& recipe, Decode
     check_pixel_type(bake, decoder);
     if (!volume) return;
     check_source_channel(bake, *volume, recipe, decoder);
-    const DecodedField& cell = bake.at("cell");
     if (is_chosen) {
         check_chosen_files(bake, "cell", decoder);
         check_channels(bake, channels, decoder);
         return;
     }
-    if (!cell.value || !contents || volume->size[0] == 0) return;
-    const VoxelCounts texels = texels_of(*volume, static_cast<int>(std::get<double>(*cell.value)),
-                                         *contents == CloudLightContents::shadow);
+    const std::optional<int> cell = bake.whole("cell");
+    if (!cell || !contents || volume->size[0] == 0) return;
+    const VoxelCounts texels = texels_of(*volume, *cell, *contents == CloudLightContents::shadow);
     resolve_files(bake, texels, Halving::down, decoder);
     check_cells(bake, *volume, texels, recipe, decoder);
     check_voxel_count(bake, texels, channels, bake.at("of").source->place, decoder);
@@ -270,9 +264,8 @@ std::vector<Read> reads_of(const Parameters& parameters, const CloudLightBake& b
 }  // namespace
 
 std::size_t channels_of(const CloudLightBake& bake) {
-    if (is_per_sun(bake.contents)) return bake.sun_elevations.size();
-    const int coefficients = (bake.degree + 1) * (bake.degree + 1);
-    return static_cast<std::size_t>(std::clamp(coefficients - 4 * (bake.part - 1), 0, 4));
+    return is_per_sun(bake.contents) ? bake.sun_elevations.size()
+                                     : harmonics_in_part(bake.degree, bake.part);
 }
 
 AssetKind asset_kind(Tag<CloudLightBake>) {

@@ -17,22 +17,18 @@
 namespace skybake::config {
 namespace {
 
-constexpr Range voxel_size_range{1e-3, 1e8};
-
-constexpr Range cloud_extent_range{1e-3, 1e8};
-
 const Row<CloudVolumeBake> cloud_volume_table[] = {
     {"cloud", Kind::text, &CloudVolumeBake::cloud, "NAME of the [clouds.NAME] to bake",
      KeyFlag::required},
     {"size", Kind::voxels, &CloudVolumeBake::size, "voxels along x, y and z, which is up",
-     voxel_range, Hint{"for example [512, 512, 128]"}, Exclusive{"size", "counted"}},
+     texel_range, Hint{"for example [512, 512, 128]"}, Exclusive{"size", "counted"}},
     {"extent", Kind::lengths, &CloudVolumeBake::extent,
      "what the voxels span, to which the cloud is stretched; by default the cloud's extent",
-     cloud_extent_range, Hint{"voxel_size sets it where it does not divide the cloud's extent"},
+     Range{1e-3, 1e8}, Hint{"voxel_size sets it where it does not divide the cloud's extent"},
      Exclusive{"size", "counted"}},
     {"voxel_size", Kind::length, nullptr,
      "edge of a cubic voxel, in place of size; the cloud's extent is rounded up to whole voxels",
-     voxel_size_range, Hint{"for example \"12 m\""}, Exclusive{"size", "measured"},
+     Range{1e-3, 1e8}, Hint{"for example \"12 m\""}, Exclusive{"size", "measured"},
      KeyFlag::only_shown},
     {"cover", Kind::fraction, &CloudVolumeBake::cover,
      "share of the columns of voxels that hold cloud, met exactly, in place of the cloud's "
@@ -104,17 +100,10 @@ struct CloudVolumeResolver {
             extent[axis] = voxels.longer ? voxels.count * edge.meters : cloud.extent[axis].meters;
             longer = longer || voxels.longer;
         }
-        derive("size", size);
+        replace(bake.at("size"), size);
         if (!longer) return;
-        derive("extent", extent);
+        replace(bake.at("extent"), extent);
         warn_of_longer_extent(cloud, extent);
-    }
-
-    template <class T>
-    void derive(std::string_view key, const T& value) const {
-        DecodedField& decoded = bake.at(key);
-        decoded.value = value;
-        decoded.derived = true;
     }
 
     void warn_of_longer_extent(const Cloud& cloud, const std::array<double, 3>& extent) const {
@@ -130,23 +119,19 @@ struct CloudVolumeResolver {
     }
 
     void resolve_size(const Cloud* cloud) const {
-        DecodedField& size = bake.at("size");
-        const DecodedField& voxel_size = bake.at("voxel_size");
-        if (!size.source && !voxel_size.source) report_missing_size(cloud);
-        const bool known = cloud && cloud->extent[0].meters > 0 && voxel_size.value;
-        if (!known) return;
-        size.value.reset();
-        resolve_voxels(*cloud, Length{std::get<double>(*voxel_size.value)});
+        if (!bake.gives("size") && !bake.gives("voxel_size")) report_missing_size(cloud);
+        const std::optional<double> edge_m = bake.number("voxel_size");
+        if (!cloud || cloud->extent[0].meters <= 0 || !edge_m) return;
+        bake.at("size").value.reset();
+        resolve_voxels(*cloud, Length{*edge_m});
     }
 
     void check_voxels(const Cloud& cloud, const VoxelCounts& size) const {
-        if (cloud.extent[0].meters <= 0 || bake.at("voxel_size").source) return;
+        if (cloud.extent[0].meters <= 0 || bake.gives("voxel_size")) return;
         CloudVolumeBake voxels;
         voxels.size = size;
-        if (const auto& extent = bake.at("extent").value) {
-            const auto& meters = std::get<std::array<double, 3>>(*extent);
-            voxels.extent = {Length{meters[0]}, Length{meters[1]}, Length{meters[2]}};
-        }
+        const DecodedField& extent = bake.at("extent");
+        if (extent.value) assign(*extent.field, *extent.value, voxels.extent);
         check_cubes(bake, voxel_edges(cloud, voxels), size_place(), decoder);
     }
 
@@ -217,16 +202,16 @@ void resolve_cloud_volume(DecodedSection& bake, const RecipeSoFar& recipe, Decod
     check_pixel_type(bake, decoder);
     const Cloud* cloud = find_named(bake, "cloud", clouds, cloud_reference, decoder);
     resolver.resolve_size(cloud);
-    if (!bake.at("size").value) return;
-    const auto size = std::get<VoxelCounts>(*bake.at("size").value);
-    resolve_files(bake, size, Halving::down, decoder);
+    const auto* size = bake.value<VoxelCounts>("size");
+    if (!size) return;
+    resolve_files(bake, *size, Halving::down, decoder);
     if (!cloud) return;
     resolver.check_velocity(*cloud);
-    check_voxel_count(bake, size, resolver.channels_of(*cloud, noises), resolver.size_place(),
+    check_voxel_count(bake, *size, resolver.channels_of(*cloud, noises), resolver.size_place(),
                       decoder);
-    resolver.check_noises(*cloud, noises, size);
-    resolver.warn_of_narrow_towers(*cloud, size);
-    resolver.check_voxels(*cloud, size);
+    resolver.check_noises(*cloud, noises, *size);
+    resolver.warn_of_narrow_towers(*cloud, *size);
+    resolver.check_voxels(*cloud, *size);
 }
 
 std::vector<Read> reads_of(const Parameters& parameters, const CloudVolumeBake& bake) {

@@ -8,7 +8,6 @@
 #include "config/assets/asset_fields.h"
 #include "config/assets/asset_kind.h"
 #include "config/assets/cloud_volume.h"
-#include "config/assets/file_decoder.h"
 #include "config/assets/source_volume.h"
 #include "config/fields/fields.h"
 #include "config/fields/section_decoder.h"
@@ -19,10 +18,7 @@
 namespace skybake::config {
 namespace {
 
-constexpr Range environment_azimuth_range{-std::numbers::pi, std::numbers::pi};
 constexpr Range camera_place_range{-1e8, 1e8};
-constexpr Range sample_range{1, 16};
-constexpr Range sun_or_moon_range{0, 1e6, true};
 
 constexpr Choice environment_mapping_choices[] = {
     {EnvironmentMapping::longitude_latitude, "longitude_latitude",
@@ -46,11 +42,6 @@ constexpr Choice level_choices[] = {
      "light as rough surfaces reflect it, from smooth to the roughness 1"},
 };
 
-constexpr Field needing_clouds(Field field) {
-    field.needs = "clouds";
-    return field;
-}
-
 const Row<EnvironmentBake> environment_table[] = {
     {"mapping", Kind::choice, &EnvironmentBake::mapping, "which direction a texel shows",
      environment_mapping_choices, Default{R"("longitude_latitude")"}},
@@ -65,31 +56,28 @@ const Row<EnvironmentBake> environment_table[] = {
     {"sun_azimuth", Kind::angle, &EnvironmentBake::sun_azimuth,
      "azimuth of the sun, to the right of straight ahead, which is the middle of a row and the x "
      "axis of clouds",
-     environment_azimuth_range, Default{R"("0 deg")"}},
+     Range{-std::numbers::pi, std::numbers::pi}, Default{R"("0 deg")"}},
     {orders_field, &EnvironmentBake::orders},
     {layers_field, &EnvironmentBake::layers},
     {"clouds", Kind::text_list, &EnvironmentBake::clouds,
      "NAME of the [bake.NAME] with asset = \"cloud_volume\" that covers the sky, or a list of "
      "them, one for each layer; without it, the sky is clear",
      Hint{"for example [\"cumulus\", \"cirrus\"]"}},
-    {needing_clouds(key("camera_x", Kind::length,
-                        "x of the camera, from the corner of the clouds' tiles", camera_place_range,
-                        Default{R"("0 m")"})),
-     &EnvironmentBake::camera_x},
-    {needing_clouds(key("camera_y", Kind::length,
-                        "y of the camera, from the corner of the clouds' tiles", camera_place_range,
-                        Default{R"("0 m")"})),
-     &EnvironmentBake::camera_y},
-    {needing_clouds(key("samples", Kind::integer,
-                        "rays along each edge of a texel, whose mean through clouds it is",
-                        sample_range, Default{"2"})),
-     &EnvironmentBake::samples},
+    {"camera_x", Kind::length, &EnvironmentBake::camera_x,
+     "x of the camera, from the corner of the clouds' tiles", camera_place_range,
+     Default{R"("0 m")"}, Needs{"clouds"}},
+    {"camera_y", Kind::length, &EnvironmentBake::camera_y,
+     "y of the camera, from the corner of the clouds' tiles", camera_place_range,
+     Default{R"("0 m")"}, Needs{"clouds"}},
+    {"samples", Kind::integer, &EnvironmentBake::samples,
+     "rays along each edge of a texel, whose mean through clouds it is", Range{1, 16}, Default{"2"},
+     Needs{"clouds"}},
     {"sun", Kind::choice, &EnvironmentBake::sun,
      "whether the map holds the light of the sun's disc", environment_sun_choices,
      Default{R"("none")"}},
     {"level_content", Kind::choice, &EnvironmentBake::level_content,
      "what the levels of `mips` beyond the first hold", level_choices, Default{R"("mean")"},
-     Cited{karis_2013}},
+     Cited{"Karis 2013, Real Shading in Unreal Engine 4"}},
     {"lights", Kind::flag, &EnvironmentBake::lights,
      "writes NAME.json with the sun's light, the light on a level surface, and spherical harmonics "
      "to degree 4",
@@ -97,14 +85,9 @@ const Row<EnvironmentBake> environment_table[] = {
     {"solar_irradiance", Kind::fractions, &EnvironmentBake::solar_irradiance,
      "factor of all light, for another unit, or for a moon or a star in the place of the sun; "
      "without it 1",
-     sun_or_moon_range,
+     Range{0, 1e6, true},
      Hint{"133100 makes cd/m2 of colours under the sun, and 0.31 under a full moon"}},
 };
-
-template <class T>
-const T* given_value(const DecodedField& decoded) {
-    return decoded.value ? std::get_if<T>(&*decoded.value) : nullptr;
-}
 
 // This is one section while it is resolved.
 struct EnvironmentResolver {
@@ -112,17 +95,11 @@ struct EnvironmentResolver {
     const RecipeSoFar& recipe;
     Decoder& decoder;
 
-    template <class Enum>
-    bool is(std::string_view key, Enum wanted) const {
-        const DecodedField& decoded = bake.at(key);
-        const auto* choice = given_value<ChoiceIndex>(decoded);
-        return choice && decoded.field->choices[choice->index].is(wanted);
-    }
-
     // Returns how many squares the image is high, or 0 where it need not be made of squares.
     int squares() const {
-        if (is("mapping", EnvironmentMapping::cube)) return 6;
-        return is("mapping", EnvironmentMapping::longitude_latitude) ? 0 : 1;
+        const auto mapping = choice_of<EnvironmentMapping>(bake.at("mapping"));
+        if (mapping == EnvironmentMapping::cube) return 6;
+        return mapping == EnvironmentMapping::longitude_latitude ? 0 : 1;
     }
 
     void resolve_size() const {
@@ -130,21 +107,20 @@ struct EnvironmentResolver {
         if (high == 0) return;
         const std::array<int, 2> usual = high == 6 ? std::array{256, 1536} : std::array{512, 512};
         derive(bake.at("size"), usual);
-        const auto* size = given_value<std::array<int, 2>>(bake.at("size"));
+        const auto* size = bake.value<std::array<int, 2>>("size");
         if (!size || (*size)[1] == high * (*size)[0]) return;
-        report_size(bake,
-                    fmt::format("`{}` of {} makes no squares", join_path(bake.path, "size"),
-                                high == 6 ? "a cube" : "an octahedron"),
-                    fmt::format("give [{0}, {1}], or another size that is {2}", (*size)[0],
-                                high * (*size)[0],
-                                high == 6 ? "six times as high as wide" : "as high as wide"),
-                    decoder);
+        decoder.report(
+            "E0142", bake, "size",
+            fmt::format("of {} makes no squares", high == 6 ? "a cube" : "an octahedron"),
+            fmt::format("give [{0}, {1}], or another size that is {2}", (*size)[0],
+                        high * (*size)[0],
+                        high == 6 ? "six times as high as wide" : "as high as wide"));
     }
 
     // Squares halve evenly: faces down to one texel, octahedra down to four along an edge.
     void check_halving() const {
-        const auto* mips = given_value<double>(bake.at("mips"));
-        const auto* size = given_value<std::array<int, 2>>(bake.at("size"));
+        const auto* mips = bake.value<double>("mips");
+        const auto* size = bake.value<std::array<int, 2>>("size");
         if (squares() == 0 || !mips || *mips == 1 || !size) return;
         const int least = squares() == 6 ? 1 : 4;
         int most = 1;
@@ -161,8 +137,9 @@ struct EnvironmentResolver {
 
     void check_levels() const {
         check_halving();
-        const auto* mips = given_value<double>(bake.at("mips"));
-        if (!is("level_content", LevelContent::ggx) || !mips || *mips != 1) return;
+        const auto* mips = bake.value<double>("mips");
+        const auto content = choice_of<LevelContent>(bake.at("level_content"));
+        if (content != LevelContent::ggx || !mips || *mips != 1) return;
         decoder.report("E0172", bake, "level_content", "needs more levels than the map itself",
                        "give `mips`, for instance 6");
     }
@@ -190,7 +167,7 @@ struct EnvironmentResolver {
     }
 
     void check_camera_in_air() const {
-        const auto* altitude = given_value<double>(bake.at("altitude"));
+        const auto* altitude = bake.value<double>("altitude");
         const Atmosphere& air = recipe.parameters.atmosphere;
         const double thickness_m = air.top_radius.meters - air.ground_radius.meters;
         if (!altitude || thickness_m <= 0 || *altitude < thickness_m) return;
@@ -206,7 +183,7 @@ void resolve_environment(DecodedSection& bake, const RecipeSoFar& recipe, Decode
     const EnvironmentResolver resolver{bake, recipe, decoder};
     resolver.resolve_size();
     resolver.check_levels();
-    const auto* clouds = given_value<std::vector<std::string>>(bake.at("clouds"));
+    const auto* clouds = bake.value<std::vector<std::string>>("clouds");
     if (clouds && !clouds->empty()) resolver.check_clouds(*clouds);
 }
 

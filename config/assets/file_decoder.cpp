@@ -5,12 +5,10 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <utility>
 
 #include "config/assets/sheet_decoder.h"
 #include "config/sections/file_formats.h"
 #include "config/sections/targets.h"
-#include "config/text/key_path.h"
 
 namespace skybake::config {
 namespace {
@@ -64,8 +62,7 @@ int levels_of(const VoxelCounts& size, Halving halving) {
 // Whether a table is a cube, whose six faces lie below each other.
 bool is_cube(const DecodedSection& bake) {
     const DecodedField* mapping = bake.find("mapping");
-    if (mapping == nullptr || !mapping->value) return false;
-    const auto* choice = std::get_if<ChoiceIndex>(&*mapping->value);
+    const auto* choice = mapping ? mapping->as<ChoiceIndex>() : nullptr;
     return choice && mapping->field->choices[choice->index].name == "cube";
 }
 
@@ -81,8 +78,7 @@ void check_for_target(const DecodedSection& bake, double levels, Decoder& decode
 
 void resolve_levels(DecodedSection& bake, const VoxelCounts& size, Halving halving,
                     Decoder& decoder) {
-    DecodedField& decoded = bake.at("mips");
-    const auto* asked = value_of<double>(decoded);
+    const std::optional<double> asked = bake.number("mips");
     if (!asked) return;
     const VoxelCounts of_face = {size[0], size[0], size[2]};
     const double levels = levels_of(is_cube(bake) ? of_face : size, halving);
@@ -92,7 +88,7 @@ void resolve_levels(DecodedSection& bake, const VoxelCounts& size, Halving halvi
                        fmt::format("{} has {} levels down to one voxel", voxels_to_string(size),
                                    static_cast<int>(levels)));
     }
-    if (*asked == 0) decoded.value = levels;
+    if (*asked == 0) bake.at("mips").value = levels;
     if (*asked > 1 && *asked < levels) check_for_target(bake, levels, decoder);
 }
 
@@ -109,9 +105,8 @@ void check_references(const DecodedSection& bake, Decoder& decoder) {
 
 // Reports `flip` of an asset without images, which no reader would see.
 void check_flip(const DecodedSection& bake, Decoder& decoder) {
-    const DecodedField& flip = bake.at("flip");
-    const bool* value = value_of<bool>(flip);
-    if (!flip.source || !value || !*value) return;
+    const auto* flip = bake.value<bool>("flip");
+    if (!bake.gives("flip") || !flip || !*flip) return;
     const std::vector<FileFormat> formats = formats_of(bake);
     const auto is_image = [](FileFormat format) { return facts_of(format).is_image; };
     if (formats.empty() || std::ranges::any_of(formats, is_image)) return;
@@ -127,25 +122,21 @@ void check_axes(const DecodedSection& bake, const VoxelCounts& size, int axes, D
         const int count = size[static_cast<std::size_t>(axis)];
         const bool is_axis = axis < axes;
         if (is_axis ? count >= 2 : count == 1) continue;
-        report_size(bake,
-                    fmt::format("`{}` is {}: its table has {} ax{}", join_path(bake.path, "size"),
-                                voxels_to_string(size), axes, axes == 1 ? "is" : "es"),
-                    is_axis ? "each of them needs two texels or more" : "give 1 along the others",
-                    decoder);
-        return;
+        return decoder.report(
+            "E0142", bake, "size",
+            fmt::format("is {}: its table has {} ax{}", voxels_to_string(size), axes,
+                        axes == 1 ? "is" : "es"),
+            is_axis ? "each of them needs two texels or more" : "give 1 along the others");
     }
 }
 
 // Returns none if an error bound is to choose the size.
 std::optional<VoxelCounts> table_size(const DecodedSection& bake) {
-    const DecodedField& size = bake.at("size");
-    if (const auto* texels = value_of<std::array<int, 2>>(size)) {
+    if (const auto* texels = bake.value<std::array<int, 2>>("size")) {
         return VoxelCounts{(*texels)[0], (*texels)[1], 1};
     }
-    if (const auto* texels = value_of<double>(size)) {
-        return VoxelCounts{static_cast<int>(*texels), 1, 1};
-    }
-    return std::nullopt;
+    const std::optional<int> texels = bake.whole("size");
+    return texels ? std::optional(VoxelCounts{*texels, 1, 1}) : std::nullopt;
 }
 
 }  // namespace
@@ -250,20 +241,14 @@ void check_voxel_count(const DecodedSection& bake, const VoxelCounts& size, std:
         fmt::format("at most {} (2^36) voxels are allowed", most_voxels));
 }
 
-void report_size(const DecodedSection& bake, std::string message, std::string label,
-                 Decoder& decoder) {
-    decoder.diagnostics.error("E0142", bake.place_of("size"), std::move(message), std::move(label));
-}
-
 void resolve_axes_and_files(DecodedSection& bake, int axes, std::size_t channels,
                             Decoder& decoder) {
     check_pixel_type(bake, decoder);
-    const DecodedField& size = bake.at("size");
-    if (!size.value) return;
-    const auto texels = std::get<VoxelCounts>(*size.value);
-    check_axes(bake, texels, axes, decoder);
-    resolve_files(bake, texels, Halving::down, decoder);
-    check_voxel_count(bake, texels, channels, bake.place_of("size"), decoder);
+    const auto* texels = bake.value<VoxelCounts>("size");
+    if (!texels) return;
+    check_axes(bake, *texels, axes, decoder);
+    resolve_files(bake, *texels, Halving::down, decoder);
+    check_voxel_count(bake, *texels, channels, bake.place_of("size"), decoder);
 }
 
 void check_formats(const DecodedSection& bake, bool is_table, bool has_colors, Decoder& decoder) {
@@ -295,11 +280,9 @@ void resolve_table_files(DecodedSection& bake, Decoder& decoder) {
 
 void check_chosen_files(DecodedSection& bake, std::string_view size_key, Decoder& decoder) {
     for (const std::string_view key : {"mips", "columns"}) {
-        const DecodedField& field = bake.at(key);
-        const auto* value = value_of<double>(field);
-        if (!field.source || !value || *value == 1) continue;
+        if (!bake.gives(key) || bake.whole(key).value_or(1) == 1) continue;
         decoder.report("E0110", bake, key, fmt::format("needs `{}`", size_key),
-                       fmt::format("it follows from the size, and `max_error` chooses that later"));
+                       "it follows from the size, and `max_error` chooses that later");
     }
 }
 

@@ -4,7 +4,6 @@
 #include <array>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 #include "config/fields/section_decoder.h"
@@ -13,12 +12,6 @@
 namespace skybake::config {
 
 using VoxelCounts = std::array<int, 3>;  // along x, y and z
-
-// Returns the value of a field, or null if it is missing or of another type.
-template <class T>
-const T* value_of(const DecodedField& decoded) {
-    return decoded.value ? std::get_if<T>(&*decoded.value) : nullptr;
-}
 
 // Returns the formats of a bake; none if the key has no value.
 std::vector<FileFormat> formats_of(const DecodedSection& bake);
@@ -62,10 +55,6 @@ void resolve_axes_and_files(DecodedSection& bake, int axes, std::size_t channels
 // Does all that the files of a table need. It checks pixel types and formats (E0131) and mips,
 // which a table whose size is not chosen yet cannot have (E0110).
 void resolve_table_files(DecodedSection& bake, Decoder& decoder);
-
-// Reports E0142 at the place of the size.
-void report_size(const DecodedSection& bake, std::string message, std::string label,
-                 Decoder& decoder);
 
 // Warns (W0211) if a VDB file is among the formats and voxels with these edges, in metres along x,
 // y and z, are not cubes. `size_place` is where the recipe gives the size.

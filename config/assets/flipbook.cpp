@@ -23,9 +23,6 @@
 namespace skybake::config {
 namespace {
 
-constexpr Range length_range{1, 16384};
-constexpr Range slice_range{0, 16383};
-
 constexpr Choice mapping_choices[] = {
     {FlipbookMapping::frames, "frames",
      "a 3-D texture with a slice for each frame, which has one level"},
@@ -38,10 +35,10 @@ const Row<FlipbookBake> flipbook_table[] = {
      "NAME of the [bake.NAME] with `frames`: a noise_volume, a weather_map or a cloud_volume",
      KeyFlag::required},
     {"length", Kind::integer, &FlipbookBake::length,
-     "number of frames; by default those of the sequence", length_range,
+     "number of frames; by default those of the sequence", Range{1, 16384},
      Hint{"columns times rows of a sheet"}},
     {"slice", Kind::integer, &FlipbookBake::slice,
-     "which slice of volumes, counted from 0 along z; by default the middle one", slice_range},
+     "which slice of volumes, counted from 0 along z; by default the middle one", Range{0, 16383}},
     {"mapping", Kind::choice, &FlipbookBake::mapping, "what DDS and KTX2 files hold the frames as",
      mapping_choices, Default{R"("frames")"}},
 };
@@ -84,16 +81,6 @@ void report_no_sequence(const DecodedSection& bake, const RecipeSoFar& recipe,
                                  : fmt::format("this recipe has {}", fmt::join(names, ", ")));
 }
 
-template <class T>
-void derive_unless_given(DecodedSection& bake, std::string_view key, T value) {
-    if (!bake.at(key).source) derive(bake.at(key), std::move(value));
-}
-
-int number_of(const DecodedSection& bake, std::string_view key) {
-    const auto& value = bake.at(key).value;
-    return value ? static_cast<int>(std::get<double>(*value)) : 0;
-}
-
 std::size_t channels_of(const Bake& frame, const Parameters& recipe) {
     if (const auto* cloud = frame.find<CloudVolumeBake>()) {
         const Cloud& made = cloud_named(recipe, cloud->cloud);
@@ -107,21 +94,20 @@ std::size_t channels_of(const Bake& frame, const Parameters& recipe) {
 // Reports levels of a 3-D texture, which would mix frames (E0110). All sheets of levels get the columns of
 // the first one.
 void resolve_levels(DecodedSection& bake, const VoxelCounts& size, Decoder& decoder) {
-    if (number_of(bake, "mips") < 2) return;
+    if (bake.whole("mips").value_or(0) < 2) return;
     if (choice_of<FlipbookMapping>(bake.at("mapping")) != FlipbookMapping::layers) {
         decoder.report("E0110", bake, "mips", ": levels of a 3-D texture would mix frames",
                        "`mapping = \"layers\"` has levels that keep frames apart");
     }
     if (choice_of<SheetLayout>(bake.at("layout")) != SheetLayout::atlas) return;
-    derive_unless_given(bake, "columns",
-                        double{1} * slice_sheet(size, SheetLayout::atlas, 0).columns);
+    derive(bake.at("columns"), double{1} * slice_sheet(size, SheetLayout::atlas, 0).columns);
 }
 
 // Fills in `length` and `slice`. It reports a name that is no sequence's (E0133), a slice that the volume
 // does not have (E0110), and faults of the levels and of the files of any volume (file_decoder.h).
 void resolve_flipbook(DecodedSection& bake, const RecipeSoFar& recipe, Decoder& decoder) {
     check_pixel_type(bake, decoder);
-    const std::string* name = text_of(bake.at("of"));
+    const auto* name = bake.value<std::string>("of");
     if (!name) return;
     const Bake* first = find_first(recipe.bakes, *name);
     const auto& unreadable = recipe.unreadable;
@@ -131,13 +117,14 @@ void resolve_flipbook(DecodedSection& bake, const RecipeSoFar& recipe, Decoder& 
         return;
     }
     const auto [width, height, depth] = frame_size(*first);
-    derive_unless_given(bake, "length", double{1} * length_of(recipe.bakes, *name));
-    derive_unless_given(bake, "slice", double{1} * (depth / 2));
-    if (number_of(bake, "slice") >= depth && depth > 0) {
-        decoder.report("E0110", bake, "slice", fmt::format("is {}", number_of(bake, "slice")),
+    derive(bake.at("length"), double{1} * length_of(recipe.bakes, *name));
+    derive(bake.at("slice"), double{1} * (depth / 2));
+    if (bake.whole("slice").value_or(0) >= depth && depth > 0) {
+        decoder.report("E0110", bake, "slice",
+                       fmt::format("is {}", bake.whole("slice").value_or(0)),
                        fmt::format("the frames have slices 0 to {}", depth - 1));
     }
-    const VoxelCounts size = {width, height, number_of(bake, "length")};
+    const VoxelCounts size = {width, height, bake.whole("length").value_or(0)};
     if (width < 1 || size[2] < 1) return;
     resolve_files(bake, size, Halving::down_within_slices, decoder);
     resolve_levels(bake, size, decoder);

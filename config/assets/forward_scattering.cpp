@@ -8,8 +8,6 @@
 namespace skybake::config {
 namespace {
 
-constexpr std::string_view droplets[] = {"droplets"};
-
 const Row<ForwardScatteringBake> forward_scattering_table[] = {
     {"size", Kind::size, &ForwardScatteringBake::size,
      "texels along the scattering angle and along the optical depth", texel_range,
@@ -20,7 +18,7 @@ const Row<ForwardScatteringBake> forward_scattering_table[] = {
      Default{"3"}},
     {"particles", Kind::choice, &ForwardScatteringBake::particles, "what the cloud consists of",
      cloud_particles_choices, Default{R"("droplets")"}},
-    {with(droplet_diameter_field, When{"particles", droplets}),
+    {with(droplet_diameter_field, When{"particles", "droplets"}),
      &ForwardScatteringBake::droplet_diameter},
     {single_scattering_albedo_field, &ForwardScatteringBake::single_scattering_albedo},
 };

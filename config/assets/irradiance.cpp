@@ -13,27 +13,12 @@ constexpr Choice irradiance_content_choices[] = {
     {IrradianceContent::total, "total", "light of both"},
 };
 
-constexpr Choice sun_mapping_choices[] = {
-    {MultipleScatteringMapping::hillaire, "hillaire",
-     "linear in sun cosine and altitude, with end points on texel centres"},
-    {MultipleScatteringMapping::twilight, "twilight", "more texels near sunrise and sunset"},
-};
-
-constexpr std::string_view sky[] = {"sky"};
-
-constexpr Field orders_of_sky() {
-    Field field = orders_field;
-    field.selector = "content";
-    field.selected_by = sky;
-    return field;
-}
-
 const Row<IrradianceBake> irradiance_table[] = {
     {"size", Kind::size, &IrradianceBake::size, "texels along the sun cosine and along altitude",
      texel_range, Default{"[64, 32]"}},
     {"content", Kind::choice, &IrradianceBake::content, "what lights the level surface",
      irradiance_content_choices, Default{R"("total")"}},
-    {orders_of_sky(), &IrradianceBake::orders},
+    {with(orders_field, When{"content", "sky"}), &IrradianceBake::orders},
     {layers_field, &IrradianceBake::layers},
     {"max_texel_error", Kind::fraction, &IrradianceBake::max_texel_error,
      "quadrature error of a texel, which sets the number of directions", texel_error_range,

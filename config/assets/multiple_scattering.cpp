@@ -7,14 +7,6 @@
 namespace skybake::config {
 namespace {
 
-constexpr Range degree_range{2, 8};
-
-constexpr Choice multiple_scattering_mapping_choices[] = {
-    {MultipleScatteringMapping::hillaire, "hillaire",
-     "linear in sun cosine and altitude, with end points on texel centres"},
-    {MultipleScatteringMapping::twilight, "twilight", "more texels near sunrise and sunset"},
-};
-
 constexpr Choice method_choices[] = {
     {MultipleScatteringMethod::converged, "converged",
      "Hillaire's closure of the second order, by as many nodes as the error needs"},
@@ -28,31 +20,25 @@ constexpr Choice solved_content_choices[] = {
     {MultipleScatteringContent::moments, "moments", "angular moments of the light, one table each"},
 };
 
-constexpr std::string_view solved[] = {"solved"};
-
-constexpr std::string_view unsolved[] = {"converged"};
-
-constexpr std::string_view moments[] = {"moments"};
-
 const Row<MultipleScatteringBake> multiple_scattering_table[] = {
     {"size", Kind::size, &MultipleScatteringBake::size,
      "texels along the sun cosine and along altitude", texel_range, Default{"[64, 64]"},
      Exclusive{"size"}, Cited{hillaire_2020}},
     {max_error_field, &MultipleScatteringBake::max_error},
     {"mapping", Kind::choice, &MultipleScatteringBake::mapping,
-     "which sun angle and altitude a texel stands for", multiple_scattering_mapping_choices,
+     "which sun angle and altitude a texel stands for", sun_mapping_choices,
      Default{R"("twilight")"}, Cited{hillaire_2020}},
     {"method", Kind::choice, &MultipleScatteringBake::method, "how the light is computed",
      method_choices, Default{R"("solved")"}, Cited{hillaire_2020}},
     {"max_texel_error", Kind::fraction, &MultipleScatteringBake::max_texel_error,
      "quadrature error of a texel, which sets the number of nodes", texel_error_range,
-     Default{R"("0.2 %")"}, When{"method", unsolved}},
+     Default{R"("0.2 %")"}, When{"method", "converged"}},
     {"content", Kind::choice, &MultipleScatteringBake::content,
      "which part of the solution the texels hold", solved_content_choices, Default{R"("hillaire")"},
-     When{"method", solved}},
+     When{"method", "solved"}},
     {"degree", Kind::integer, &MultipleScatteringBake::degree,
-     "degree of the moments; 2 holds Rayleigh scattering exactly", degree_range, Default{"2"},
-     When{"content", moments}},
+     "degree of the moments; 2 holds Rayleigh scattering exactly", Range{2, 8}, Default{"2"},
+     When{"content", "moments"}},
 };
 
 std::vector<Read> reads_of(const Parameters& parameters, const MultipleScatteringBake& bake) {

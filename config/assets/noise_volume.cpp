@@ -16,19 +16,9 @@ const Row<NoiseVolumeBake> noise_volume_table[] = {
     {"noise", Kind::text, &NoiseVolumeBake::noise, "NAME of the [noise.NAME] to bake",
      KeyFlag::required},
     {"size", Kind::voxels, &NoiseVolumeBake::size,
-     "voxels along x, y and z; by default the noise's size", voxel_range,
+     "voxels along x, y and z; by default the noise's size", texel_range,
      Hint{"1 along z gives a picture"}},
 };
-
-// Returns the place that decides the size: in the bake, or the name of the noise.
-const Place& size_place(const DecodedSection& bake) { return bake.place_of("size", "noise"); }
-
-void resolve_size(DecodedSection& bake, const Noise& noise) {
-    DecodedField& size = bake.at("size");
-    if (size.source || noise.size[0] == 0) return;
-    size.value = noise.size;
-    size.derived = true;
-}
 
 // Fills in `size` from the noise, and the number of `mips`. It reports a noise that does not exist
 // (E0130), pixel types that a format does not have (E0131), too many voxels (E0126), and columns
@@ -38,16 +28,16 @@ void resolve_noise_volume(DecodedSection& bake, const RecipeSoFar& recipe, Decod
     const std::span<const Noise> noises = recipe.parameters.noises;
     check_pixel_type(bake, decoder);
     const Noise* noise = find_named(bake, "noise", noises, noise_reference, decoder);
-    if (noise) resolve_size(bake, *noise);
-    if (!bake.at("size").value) return;
-    const auto size = std::get<VoxelCounts>(*bake.at("size").value);
-    resolve_files(bake, size, Halving::down, decoder);
+    if (noise && noise->size[0] > 0) derive(bake.at("size"), noise->size);
+    const auto* size = bake.value<VoxelCounts>("size");
+    if (!size) return;
+    resolve_files(bake, *size, Halving::down, decoder);
     if (!noise) return;
     check_frames(bake, std::array{motion_of(*noise)}, decoder);
     const std::size_t channels = noise->pack == NoisePacking::none ? noise->channels.size() : 1;
-    const Place place = size_place(bake);
-    check_voxel_count(bake, size, channels, place, decoder);
-    OctaveChecks checks(size);
+    const Place& place = bake.place_of("size", "noise");
+    check_voxel_count(bake, *size, channels, place, decoder);
+    OctaveChecks checks(*size);
     checks.add(*noise, noise->channels, {.sampling = noise->sampling});
     checks.report(place, decoder);
 }

@@ -1,7 +1,6 @@
 #include "config/assets/occupancy.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -51,73 +50,63 @@ const Row<OccupancyBake> occupancy_table[] = {
      Default{R"(["occupied", "leap", "minimum", "maximum"])"}},
 };
 
-// This is one section while it is resolved.
-struct OccupancyResolver {
-    DecodedSection& bake;
-    const RecipeSoFar& recipe;
-    Decoder& decoder;
-
-    std::size_t check_contents() const {
-        const DecodedField& decoded = bake.at("contents");
-        if (!decoded.value) return 1;
-        const std::size_t count = std::get<std::vector<ChoiceIndex>>(*decoded.value).size();
-        if (count != 2) return count;
+// Returns the number of channels, or 1 if it cannot be told.
+std::size_t check_occupancy_contents(const DecodedSection& bake, Decoder& decoder) {
+    const auto* contents = bake.value<std::vector<ChoiceIndex>>("contents");
+    if (!contents) return 1;
+    if (contents->size() == 2) {
         decoder.report(
             "E0129", bake, "contents", "has two channels",
             "a picture has one, three or four channels: add one, or bake them as two assets");
-        return count;
     }
+    return contents->size();
+}
 
-    // The volume repeats along x and y. Cells that stick out of the tile would repeat with another
-    // period than the volume. A runtime that repeats both would then find other cells than those
-    // that contain its voxels. A single cell that holds the whole tile is the same everywhere and
-    // therefore allowed.
-    void check_tiling(const CloudVolumeBake& volume, int cell) const {
-        for (std::size_t axis = 0; axis < 2; ++axis) {
-            const bool tiles = volume.size[axis] % cell == 0 || volume.size[axis] < cell;
-            if (!tiles) return report_untiled(bake, volume, cell, axis, decoder);
-        }
+int most_levels(VoxelCounts cells) {
+    const auto is_odd = [](int count) { return count > 1 && count % 2 != 0; };
+    const auto is_one = [](int count) { return count == 1; };
+    int levels = 1;
+    while (std::ranges::none_of(cells, is_odd) && !std::ranges::all_of(cells, is_one)) {
+        for (int& count : cells) count = (count + 1) / 2;
+        ++levels;
     }
+    return levels;
+}
 
-    static int most_levels(VoxelCounts cells) {
-        const auto is_odd = [](int count) { return count > 1 && count % 2 != 0; };
-        const auto is_one = [](int count) { return count == 1; };
-        int levels = 1;
-        while (std::ranges::none_of(cells, is_odd) && !std::ranges::all_of(cells, is_one)) {
-            for (int& count : cells) count = (count + 1) / 2;
-            ++levels;
-        }
-        return levels;
+// If a level has an odd number of cells, the next level has half of it, rounded up, and spans
+// more than the level before. Then one texture coordinate does not fit both levels.
+// "all" is as many levels as there are before that.
+void check_halvings(DecodedSection& bake, const VoxelCounts& cells, Decoder& decoder) {
+    if (bake.whole("mips") == 0) bake.at("mips").value = double{1} * most_levels(cells);
+    const int halvings = bake.whole("mips").value_or(1) - 1;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        int left = cells[axis];
+        int done = 0;
+        for (; done < halvings && left % 2 == 0; ++done) left /= 2;
+        if (done >= halvings || left == 1) continue;
+        return decoder.diagnostics.error(
+            "E0150", bake.place_of("mips"),
+            fmt::format("the {} cells of [{}] along {} cannot be halved {} time{}", cells[axis],
+                        bake.path, "xyz"[axis], halvings, halvings == 1 ? "" : "s"),
+            fmt::format("use at most {} levels, or another size", done + 1));
     }
-
-    // If a level has an odd number of cells, the next level has half of it, rounded up, and spans
-    // more than the level before. Then one texture coordinate does not fit both levels.
-    // "all" is as many levels as there are before that.
-    void check_cells(const VoxelCounts& cells) const {
-        DecodedField& mips = bake.at("mips");
-        if (!mips.value) return;
-        if (std::get<double>(*mips.value) == 0) mips.value = double{1} * most_levels(cells);
-        const int halvings = static_cast<int>(std::get<double>(*mips.value)) - 1;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            int left = cells[axis];
-            int done = 0;
-            for (; done < halvings && left % 2 == 0; ++done) left /= 2;
-            if (done >= halvings || left == 1) continue;
-            decoder.diagnostics.error(
-                "E0150", mips.source->place,
-                fmt::format("the {} cells of [{}] along {} cannot be halved {} time{}", cells[axis],
-                            bake.path, "xyz"[axis], halvings, halvings == 1 ? "" : "s"),
-                fmt::format("use at most {} levels, or another size", done + 1));
-            return;
-        }
-    }
-};
+}
 
 // Fills in the number of `mips`. It reports two contents (E0129), cells that do not tile as the volume
-// does (E0150), and what resolve_cells reports.
+// does (E0150), and what find_cells and resolve_cells report.
+//
+// The volume repeats along x and y. Cells that stick out of the tile would repeat with another
+// period than the volume. A runtime that repeats both would then find other cells than those
+// that contain its voxels. A single cell that holds the whole tile is the same everywhere and
+// therefore allowed.
 void resolve_occupancy(DecodedSection& bake, const RecipeSoFar& recipe, Decoder& decoder) {
-    resolve_cells(OccupancyResolver{bake, recipe, decoder},
-                  "occupancy, whose empty cells must stay empty");
+    const std::size_t channels = check_occupancy_contents(bake, decoder);
+    const auto cells =
+        find_cells(bake, recipe, "occupancy, whose empty cells must stay empty", decoder);
+    if (!cells) return;
+    check_halvings(bake, cells->counts, decoder);
+    resolve_cells(bake, *cells, channels, recipe, decoder);
+    check_tiling(bake, *cells, true, decoder);
 }
 
 }  // namespace

@@ -7,14 +7,10 @@
 #include "config/assets/file_decoder.h"
 #include "config/fields/fields.h"
 #include "config/sections/layer.h"
-#include "config/text/key_path.h"
+#include "config/text/mapped.h"
 
 namespace skybake::config {
 namespace {
-
-constexpr Range shells_range{1, 4096};
-
-constexpr Range shell_altitude_range{1, 1e9};
 
 constexpr std::string_view ai_2014 = "Ai et al. 2014";
 
@@ -39,9 +35,7 @@ constexpr Choice depth_sampling_choices[] = {
     {DepthSampling::uniform, "uniform", "shells of equal thickness, with one sample in each"},
 };
 
-constexpr std::string_view of_columns[] = {"to_top", "between"};
-constexpr std::string_view between[] = {"between"};
-constexpr std::string_view shells[] = {"equal_attenuation", "uniform"};
+constexpr Words shells = {"equal_attenuation", "uniform"};
 
 const Row<OpticalDepthBake> optical_depth_table[] = {
     {"table", Kind::choice, &OpticalDepthBake::table, "which of the tables to bake",
@@ -49,18 +43,19 @@ const Row<OpticalDepthBake> optical_depth_table[] = {
     {"size", Kind::voxels, &OpticalDepthBake::size,
      "texels along u, v, w; by default [256, 128, 1] of to_top, [64, 64, 64] of between, [1024, 1, "
      "1] of the others",
-     voxel_range},
+     texel_range},
     {"kinds", Kind::text_list, &OpticalDepthBake::kinds,
      "one to four layers of the atmosphere, each a channel; by default all of them",
      Hint{"for example [\"air\", \"dust\", \"fog\", \"rain\"]"}},
     {"coordinates", Kind::choice, &OpticalDepthBake::coordinates, "how the two points are given",
-     coordinates_choices, Default{R"("altitudes")"}, When{"table", between}, Cited{ai_2014}},
+     coordinates_choices, Default{R"("altitudes")"}, When{"table", "between"}, Cited{ai_2014}},
     {"sampling", Kind::choice, &OpticalDepthBake::sampling, "how densities are summed along a ray",
-     depth_sampling_choices, Default{R"("exact")"}, When{"table", of_columns}, Cited{ai_2014}},
-    {"shells", Kind::integer, &OpticalDepthBake::shells, "number of shells", shells_range,
+     depth_sampling_choices, Default{R"("exact")"}, When{"table", {"to_top", "between"}},
+     Cited{ai_2014}},
+    {"shells", Kind::integer, &OpticalDepthBake::shells, "number of shells", Range{1, 4096},
      Default{"32"}, When{"sampling", shells}},
     {"max_altitude", Kind::length, &OpticalDepthBake::max_altitude,
-     "altitude of the highest shell; the air above is left out", shell_altitude_range,
+     "altitude of the highest shell; the air above is left out", Range{1, 1e9},
      Default{R"("35 km")"}, When{"sampling", shells}, Cited{ai_2014}},
 };
 
@@ -80,10 +75,10 @@ VoxelCounts default_size(OpticalDepthTable table) {
 void check_ray_kinds(const DecodedSection& bake, const VoxelCounts& size, int least,
                      Decoder& decoder) {
     if (size[0] >= least) return;
-    report_size(bake,
-                fmt::format("`{}` is {}: its first axis is divided among the kinds of paths",
-                            join_path(bake.path, "size"), voxels_to_string(size)),
-                fmt::format("give it at least {} texels", least), decoder);
+    decoder.report("E0142", bake, "size",
+                   fmt::format("is {}: its first axis is divided among the kinds of paths",
+                               voxels_to_string(size)),
+                   fmt::format("give it at least {} texels", least));
 }
 
 // Fills in the values that depend on the table and the layers. It reports a size that the table
@@ -93,12 +88,10 @@ void resolve_optical_depth(DecodedSection& bake, const RecipeSoFar& recipe, Deco
     const auto table = choice_of<OpticalDepthTable>(bake.at("table"));
     if (!table) return;
     derive(bake.at("size"), default_size(*table));
-    std::vector<std::string> names;
-    for (const Layer& layer : recipe.parameters.atmosphere.layers) names.push_back(layer.name);
-    DecodedField& kinds = bake.at("kinds");
-    derive(kinds, names);
-    const std::size_t count =
-        kinds.value ? std::get<std::vector<std::string>>(*kinds.value).size() : 1;
+    derive(bake.at("kinds"),
+           mapped<std::string>(recipe.parameters.atmosphere.layers, &Layer::name));
+    const auto* kinds = bake.value<std::vector<std::string>>("kinds");
+    const std::size_t count = kinds ? kinds->size() : 1;
     if ((count < 1 || count > most_kinds) && decoder.complete) {
         decoder.report("E0129", bake, "kinds", fmt::format("has {} layers", count),
                        "each has a channel, of which there are one to four; name the layers");
@@ -108,11 +101,9 @@ void resolve_optical_depth(DecodedSection& bake, const RecipeSoFar& recipe, Deco
                                                             : 1;
     resolve_axes_and_files(bake, axes, most_kinds, decoder);
     const auto coordinates = choice_of<BetweenCoordinates>(bake.at("coordinates"));
-    if (axes > 1 && bake.at("size").value) {
-        const bool falls = axes == 3 && coordinates == BetweenCoordinates::distance;
-        check_ray_kinds(bake, std::get<VoxelCounts>(*bake.at("size").value), falls ? 8 : 4,
-                        decoder);
-    }
+    const bool falls = axes == 3 && coordinates == BetweenCoordinates::distance;
+    const auto* size = bake.value<VoxelCounts>("size");
+    if (axes > 1 && size) check_ray_kinds(bake, *size, falls ? 8 : 4, decoder);
 }
 
 std::vector<Read> reads_of(const Parameters& parameters, const OpticalDepthBake&) {

@@ -14,10 +14,6 @@
 namespace skybake::config {
 namespace {
 
-constexpr Range phase_texel_range{2, 16384};
-
-constexpr Range phase_degree_range{1, 256};
-
 constexpr Choice phase_content_choices[] = {
     {PhaseContent::phase, "phase", "the phase function, 1/sr"},
     {PhaseContent::inverse_cumulative, "inverse_cumulative",
@@ -34,24 +30,20 @@ constexpr Choice spacing_choices[] = {
      "uniform in the cosine, from 180 deg to 0, as Bevy reads it"},
 };
 
-constexpr std::string_view phase[] = {"phase"};
-
 const Row<PhaseBake> phase_table[] = {
     {"particles", Kind::text, &PhaseBake::particles, "NAME of the [particles.NAME] that scatter",
      Exclusive{"of"}},
     {"layer", Kind::text, &PhaseBake::layer, "NAME of the [atmosphere.layers.NAME] that scatters",
      Exclusive{"of"}},
-    {"size", Kind::integer, &PhaseBake::size, "texels", phase_texel_range, Default{"1024"},
+    {"size", Kind::integer, &PhaseBake::size, "texels", Range{2, 16384}, Default{"1024"},
      Exclusive{"size"}},
-    {"max_error", Kind::fraction, &PhaseBake::max_error,
-     "in place of size, asks for the smallest table whose lookups are within this error",
-     lookup_error_range, Hint{"errors below 0.01 are invisible"}, Exclusive{"size"}},
+    {max_error_field, &PhaseBake::max_error},
     {"content", Kind::choice, &PhaseBake::content, "what the texels hold", phase_content_choices,
      Default{R"("phase")"}},
     {"spacing", Kind::choice, &PhaseBake::spacing, "which angle a texel stands for",
-     spacing_choices, Default{R"("best")"}, When{"content", phase}},
+     spacing_choices, Default{R"("best")"}, When{"content", "phase"}},
     {"degree", Kind::integer, &PhaseBake::degree,
-     "Legendre moments up to this degree go into the manifest", phase_degree_range, Default{"16"}},
+     "Legendre moments up to this degree go into the manifest", Range{1, 256}, Default{"16"}},
 };
 
 // Finds the particles or the layer of the atmosphere that the bake names. Exactly one of the two

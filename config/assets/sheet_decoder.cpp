@@ -63,8 +63,7 @@ void warn_of_empty_cells(const DecodedSection& bake, const VoxelCounts& size,
 }  // namespace
 
 bool has_good_columns(const DecodedSection& bake, const VoxelCounts& size, Decoder& decoder) {
-    const DecodedField& decoded = bake.at("columns");
-    const auto* columns = value_of<double>(decoded);
+    const std::optional<double> columns = bake.number("columns");
     if (!columns) return true;
     const bool wide = *columns * size[0] > static_cast<double>(widest_sheet);
     if (*columns <= size[2] && !wide) return true;
@@ -80,8 +79,7 @@ void resolve_sheet(DecodedSection& bake, const VoxelCounts& size, Decoder& decod
     if (!has_image(bake)) return;
     const auto layout = resolve_layout(bake, size);
     if (!layout) return;
-    const auto* columns = value_of<double>(bake.at("columns"));
-    const SliceSheet sheet = slice_sheet(size, *layout, columns ? static_cast<int>(*columns) : 0);
+    const SliceSheet sheet = slice_sheet(size, *layout, bake.whole("columns").value_or(0));
     warn_of_large_sheet(bake, size, sheet, decoder);
     warn_of_empty_cells(bake, size, sheet, decoder);
 }

@@ -13,8 +13,6 @@ constexpr Choice sky_method_choices[] = {
      "the second order alone, lit by a sky of 8 strips (Ai et al. 2014)"},
 };
 
-constexpr std::string_view with_multiple[] = {"all", "multiple"};
-
 const Row<SkyViewBake> sky_view_table[] = {
     {"size", Kind::size, &SkyViewBake::size,
      "texels along azimuth and along elevation, for one sun", texel_range, Default{"[192, 108]"},
@@ -26,7 +24,7 @@ const Row<SkyViewBake> sky_view_table[] = {
     {orders_field, &SkyViewBake::orders},
     {layers_field, &SkyViewBake::layers},
     {"sky", Kind::choice, &SkyViewBake::sky, "how light scattered more than once is found",
-     sky_method_choices, Default{R"("solved")"}, When{"orders", with_multiple}},
+     sky_method_choices, Default{R"("solved")"}, When{"orders", {"all", "multiple"}}},
 };
 
 }  // namespace

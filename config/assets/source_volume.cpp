@@ -80,9 +80,9 @@ std::vector<std::string> channels_of(const CloudVolumeBake& volume, const Recipe
 }  // namespace
 
 const CloudVolumeBake* find_source_volume(const DecodedSection& bake, const RecipeSoFar& recipe,
-                                          Decoder& decoder, std::string_view key) {
-    const std::string* name = text_of(bake.at(key));
-    return name ? find_volume_named(bake, key, *name, recipe, decoder) : nullptr;
+                                          Decoder& decoder) {
+    const auto* name = bake.value<std::string>("of");
+    return name ? find_volume_named(bake, "of", *name, recipe, decoder) : nullptr;
 }
 
 const CloudVolumeBake* find_volume_named(const DecodedSection& bake, std::string_view key,
@@ -100,45 +100,62 @@ const CloudVolumeBake* find_volume_named(const DecodedSection& bake, std::string
 
 void check_source_channel(const DecodedSection& bake, const CloudVolumeBake& volume,
                           const RecipeSoFar& recipe, Decoder& decoder) {
-    const DecodedField& decoded = bake.at("channel");
-    const std::string* name = text_of(decoded);
+    const auto* name = bake.value<std::string>("channel");
     const std::vector<std::string> channels = channels_of(volume, recipe);
     if (!name || name->empty() || channels.empty()) return;
     if (std::ranges::find(channels, *name) != channels.end()) return;
     decoder.report(
         "E0134", bake, "channel",
-        fmt::format(": `{}` has no channel `{}`", *text_of(bake.at("of")), shorten(*name)),
+        fmt::format(": `{}` has no channel `{}`", *bake.value<std::string>("of"), shorten(*name)),
         fmt::format("channel{} {}", channels.size() == 1 ? " is" : "s are",
                     fmt::join(channels, ", ")));
 }
 
-VoxelCounts cells_of(const CloudVolumeBake& volume, int cell) {
+VoxelCounts cells_of(const CloudVolumeBake& volume, int edge) {
     VoxelCounts cells{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        cells[axis] = (volume.size[axis] + cell - 1) / cell;
+        cells[axis] = (volume.size[axis] + edge - 1) / edge;
     }
     return cells;
 }
 
-void report_untiled(const DecodedSection& bake, const CloudVolumeBake& volume, int cell,
-                    std::size_t axis, Decoder& decoder) {
-    const DecodedField& said = bake.at("cell");
-    const std::string of = shorten(*text_of(bake.at("of")));
-    decoder.diagnostics.error(
-        "E0150", said.source ? said.source->place : bake.at("of").source->place,
-        fmt::format("cells of {} voxels do not tile the {} voxel{} of `{}` along {}", cell,
-                    volume.size[axis], volume.size[axis] == 1 ? "" : "s", of, "xy"[axis]),
-        fmt::format("give `{}` a size that {} divides, or a `cell` that divides the size", of,
-                    cell));
+std::optional<VolumeCells> find_cells(const DecodedSection& bake, const RecipeSoFar& recipe,
+                                      const std::string& refused, Decoder& decoder) {
+    check_pixel_type(bake, decoder);
+    refuse_blocks(bake, refused, decoder);
+    const CloudVolumeBake* volume = find_source_volume(bake, recipe, decoder);
+    if (!volume) return std::nullopt;
+    check_source_channel(bake, *volume, recipe, decoder);
+    const std::optional<int> edge = bake.whole("cell");
+    if (!edge || volume->size[0] == 0) return std::nullopt;
+    return VolumeCells{*volume, *edge, cells_of(*volume, *edge)};
 }
 
-void check_cell_cubes(const DecodedSection& bake, const CloudVolumeBake& volume, int cell,
-                      const RecipeSoFar& recipe, Decoder& decoder) {
-    const Cloud* cloud = find_cloud(volume, recipe);
+void resolve_cells(DecodedSection& bake, const VolumeCells& cells, std::size_t channels,
+                   const RecipeSoFar& recipe, Decoder& decoder) {
+    const Place& of = bake.place_of("of");
+    resolve_files(bake, cells.counts, Halving::up, decoder);
+    check_voxel_count(bake, cells.counts, channels, of, decoder);
+    const Cloud* cloud = find_cloud(cells.volume, recipe);
     if (!cloud || cloud->extent[0].meters <= 0) return;
-    std::array<double, 3> edges = voxel_edges(*cloud, volume);
-    for (double& edge : edges) edge *= cell;
-    check_cubes(bake, edges, bake.at("of").source->place, decoder);
+    std::array<double, 3> edges = voxel_edges(*cloud, cells.volume);
+    for (double& edge : edges) edge *= cells.edge;
+    check_cubes(bake, edges, of, decoder);
+}
+
+void check_tiling(const DecodedSection& bake, const VolumeCells& cells, bool one_may_hold_all,
+                  Decoder& decoder) {
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        const int voxels = cells.volume.size[axis];
+        if (voxels % cells.edge == 0 || (one_may_hold_all && voxels < cells.edge)) continue;
+        const std::string of = shorten(*bake.value<std::string>("of"));
+        return decoder.diagnostics.error(
+            "E0150", bake.place_of("cell", "of"),
+            fmt::format("cells of {} voxels do not tile the {} voxel{} of `{}` along {}",
+                        cells.edge, voxels, voxels == 1 ? "" : "s", of, "xy"[axis]),
+            fmt::format("give `{}` a size that {} divides, or a `cell` that divides the size", of,
+                        cells.edge));
+    }
 }
 
 const Cloud* find_cloud(const CloudVolumeBake& volume, const RecipeSoFar& recipe) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,10 +27,10 @@ inline constexpr Field source_channel_field =
 // Voxels along an edge of a cell.
 inline constexpr Range cell_range{1, 16};
 
-// Returns the volume that `key` names, or null. It reports a name that is not a cloud volume's
+// Returns the volume that `of` names, or null. It reports a name that is not a cloud volume's
 // (E0133), unless that volume has errors of its own.
 const CloudVolumeBake* find_source_volume(const DecodedSection& bake, const RecipeSoFar& recipe,
-                                          Decoder& decoder, std::string_view key = "of");
+                                          Decoder& decoder);
 
 // Returns the volume of that name, which stands in the value of `key`, as find_source_volume does.
 const CloudVolumeBake* find_volume_named(const DecodedSection& bake, std::string_view key,
@@ -43,44 +44,32 @@ void check_source_channel(const DecodedSection& bake, const CloudVolumeBake& vol
 // Returns the cloud of the volume, or null if it has errors.
 const Cloud* find_cloud(const CloudVolumeBake& volume, const RecipeSoFar& recipe);
 
-// Returns how many cells of `cell` voxels along each edge cover the volume, including those that
-// stick out of it.
-VoxelCounts cells_of(const CloudVolumeBake& volume, int cell);
+// Returns how many cells of `edge` voxels along each edge cover the volume, including those that stick
+// out of it.
+VoxelCounts cells_of(const CloudVolumeBake& volume, int edge);
 
-// Reports cells that do not divide the volume along an axis (E0150), at the key `cell`.
-void report_untiled(const DecodedSection& bake, const CloudVolumeBake& volume, int cell,
-                    std::size_t axis, Decoder& decoder);
+// The cells of a cloud volume that are the texels of an asset.
+struct VolumeCells {
+    const CloudVolumeBake& volume;
+    int edge = 1;          // voxels along each edge of a cell
+    VoxelCounts counts{};  // cells along each axis
+};
 
-// Warns of cells that are not cubes in a VDB file (W0211).
-void check_cell_cubes(const DecodedSection& bake, const CloudVolumeBake& volume, int cell,
-                      const RecipeSoFar& recipe, Decoder& decoder);
+// Returns the cells of the volume that `of` names, or none. It reports a name that is not a cloud volume's
+// (E0133), a channel that the volume does not have (E0134), and pixel types that the files cannot have
+// (E0131). `refused` says of which assets blocks are refused, and why.
+std::optional<VolumeCells> find_cells(const DecodedSection& bake, const RecipeSoFar& recipe,
+                                      const std::string& refused, Decoder& decoder);
 
-// Resolves an asset whose texels are cells of `cell` voxels of a cloud volume. The resolver has the
-// section as `bake`, `recipe` and `decoder`. Its check_contents() returns the number of channels,
-// check_cells(cells) is called before the files are resolved and check_tiling(volume, cell) after that.
-// `refused` says of which assets blocks are refused, and why. It reports a name that is not a cloud
-// volume's (E0133), a channel that the volume does not have (E0134), and faults of the files of any
-// volume (file_decoder.h), and warns of cells that are not cubes (W0211).
-template <class Resolver>
-void resolve_cells(const Resolver& resolver, const std::string& refused) {
-    DecodedSection& bake = resolver.bake;
-    Decoder& decoder = resolver.decoder;
-    check_pixel_type(bake, decoder);
-    refuse_blocks(bake, refused, decoder);
-    const std::size_t contents = resolver.check_contents();
-    const CloudVolumeBake* volume = find_source_volume(bake, resolver.recipe, decoder);
-    if (!volume) return;
-    check_source_channel(bake, *volume, resolver.recipe, decoder);
-    const DecodedField& decoded = bake.at("cell");
-    if (!decoded.value || volume->size[0] == 0) return;
-    const int cell = static_cast<int>(std::get<double>(*decoded.value));
-    const VoxelCounts cells = cells_of(*volume, cell);
-    resolver.check_cells(cells);
-    resolve_files(bake, cells, Halving::up, decoder);
-    resolver.check_tiling(*volume, cell);
-    check_cell_cubes(bake, *volume, cell, resolver.recipe, decoder);
-    check_voxel_count(bake, cells, contents, bake.at("of").source->place, decoder);
-}
+// Fills in what the files take from their cells. It reports faults of the files of any volume
+// (file_decoder.h), and warns of cells that are not cubes (W0211).
+void resolve_cells(DecodedSection& bake, const VolumeCells& cells, std::size_t channels,
+                   const RecipeSoFar& recipe, Decoder& decoder);
+
+// Reports cells that do not divide the volume along x or y (E0150), at the key `cell`. Where
+// `one_may_hold_all`, a single cell may be longer than the volume.
+void check_tiling(const DecodedSection& bake, const VolumeCells& cells, bool one_may_hold_all,
+                  Decoder& decoder);
 
 // Lists the values of the cloud volume and of its cloud. Those of the volume's files are left out,
 // unless the files that it has by default cannot hold its type of numbers: then the list would be no

@@ -4,10 +4,13 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
 #include <vector>
 
+#include "config/assets/file_decoder.h"
 #include "config/sections/frames.h"
 #include "config/sections/targets.h"
+#include "config/text/mapped.h"
 
 namespace skybake::config {
 namespace {
@@ -18,69 +21,60 @@ std::string_view word_of(const DecodedField& decoded) {
     return decoded.field->choices[std::get<ChoiceIndex>(*decoded.value).index].name;
 }
 
-void append(const std::vector<std::string_view>& words, std::vector<std::string_view>& all) {
-    all.insert(all.end(), words.begin(), words.end());
-}
-
 // Fills in the keys of one bake for one target.
-class TargetKeys {
-  public:
-    TargetKeys(DecodedSection& bake, std::string_view asset, const TargetFacts& target,
-               const TargetUse& use, Decoder& decoder)
-        : bake_(bake), asset_(asset), target_(target), use_(use), decoder_(decoder) {}
+struct TargetKeys {
+    DecodedSection& bake;
+    std::string_view asset;
+    const TargetFacts& target;
+    const TargetUse& use;
+    Decoder& decoder;
 
-    void resolve() {
+    void resolve() const {
         resolve_formats();
         resolve_pixel_type();
-        for (const TargetKey& key : use_.keys) resolve_key(key);
-        if (!use_.mappings.empty()) resolve_mapping();
+        for (const TargetKey& key : use.keys) resolve_key(key);
+        if (!use.mappings.empty()) resolve_mapping();
     }
 
-  private:
     void refuse(const DecodedField& given, std::string_view value, std::string label) const {
-        decoder_.report(
-            "E0160", bake_, given.field->key,
-            fmt::format(": target \"{}\" does not load {} with {}", target_.name, asset_, value),
+        decoder.report(
+            "E0160", bake, given.field->key,
+            fmt::format(": target \"{}\" does not load {} with {}", target.name, asset, value),
             std::move(label));
     }
 
-    void resolve_formats() {
-        DecodedField& decoded = bake_.at("formats");
+    void resolve_formats() const {
+        DecodedField& decoded = bake.at("formats");
         if (decoded.source) return check_formats(decoded);
         std::vector<ChoiceIndex> written;
-        for (std::size_t i = 0; i < use_.written; ++i) {
-            written.push_back(chosen(*decoded.field, use_.formats[i]));
+        for (std::size_t i = 0; i < use.written; ++i) {
+            written.push_back(chosen(*decoded.field, use.formats[i]));
         }
         derive(decoded, std::move(written));
     }
 
     void check_formats(const DecodedField& decoded) const {
-        if (!decoded.value) return;
-        std::vector<FileFormat> given;
-        assign(*decoded.field, *decoded.value, given);
-        std::vector<std::string_view> loaded;
-        for (const FileFormat format : use_.formats) loaded.push_back(facts_of(format).name);
-        for (const FileFormat format : given) {
-            const auto& all = use_.formats;
-            if (std::find(all.begin(), all.end(), format) != all.end()) continue;
-            const std::string_view name = facts_of(format).name;
-            refuse(decoded, fmt::format("\"{}\"", name),
-                   fmt::format("it loads {}", fmt::join(loaded, " and ")));
-            return;
+        const auto name_of = [](FileFormat format) { return facts_of(format).name; };
+        const auto& all = use.formats;
+        for (const FileFormat format : formats_of(bake)) {
+            if (std::ranges::find(all, format) != all.end()) continue;
+            const auto loaded = mapped<std::string_view>(all, name_of);
+            return refuse(decoded, fmt::format("\"{}\"", name_of(format)),
+                          fmt::format("it loads {}", fmt::join(loaded, " and ")));
         }
     }
 
-    void resolve_pixel_type() {
-        DecodedField& decoded = bake_.at("pixel_type");
+    void resolve_pixel_type() const {
+        DecodedField& decoded = bake.at("pixel_type");
         const auto type = choice_of<PixelType>(decoded);
-        if (!decoded.source && use_.pixel_type) {
-            derive(decoded, chosen(*decoded.field, *use_.pixel_type));
+        if (!decoded.source && use.pixel_type) {
+            derive(decoded, chosen(*decoded.field, *use.pixel_type));
             return;
         }
-        if (!type || use_.pixel_types.contains(*type)) return;
+        if (!type || use.pixel_types.contains(*type)) return;
         std::vector<std::string_view> loaded;
         for (const Choice& choice : decoded.field->choices) {
-            if (use_.pixel_types.contains(static_cast<PixelType>(choice.enumerator))) {
+            if (use.pixel_types.contains(static_cast<PixelType>(choice.enumerator))) {
                 loaded.push_back(choice.name);
             }
         }
@@ -91,34 +85,32 @@ class TargetKeys {
     // Whether the key is one of this section, whose other keys decide that.
     bool is_used(const Field& field) const {
         if (field.selector.empty()) return true;
-        const DecodedField& selector = bake_.at(field.selector);
+        const DecodedField& selector = bake.at(field.selector);
         return selector.value && applies(field, word_of(selector));
     }
 
-    void resolve_key(const TargetKey& key) {
-        DecodedField& decoded = bake_.at(key.key);
+    void resolve_key(const TargetKey& key) const {
+        DecodedField& decoded = bake.at(key.key);
         if (!is_used(*decoded.field)) return;
         const bool is_flag = decoded.field->choices.empty();
-        if (is_flag) {
-            derive(decoded, FieldValue(key.word == "true"));
-        } else {
-            derive(decoded, FieldValue(choice_named(*decoded.field, key.word)));
-        }
+        derive(decoded, is_flag ? FieldValue(key.word == "true")
+                                : FieldValue(choice_named(*decoded.field, key.word)));
         if (!key.is_needed || !decoded.value || word_of(decoded) == key.word) return;
         refuse(decoded, fmt::format("\"{}\"", word_of(decoded)),
                fmt::format("it loads {}", key.word));
     }
 
-    void resolve_mapping() {
-        DecodedField& decoded = bake_.at("mapping");
-        derive(decoded, FieldValue(choice_named(*decoded.field, use_.mappings.front())));
+    void resolve_mapping() const {
+        DecodedField& decoded = bake.at("mapping");
+        derive(decoded, FieldValue(choice_named(*decoded.field, use.mappings.front())));
         if (!decoded.value) return;
         std::vector<std::string_view> loaded;
-        for (const TargetUse& use : target_.uses) {
-            if (use.assets == use_.assets) append(use.mappings, loaded);
+        for (const TargetUse& other : target.uses) {
+            if (other.assets != use.assets) continue;
+            std::ranges::copy(other.mappings, std::back_inserter(loaded));
         }
         const std::string_view word = word_of(decoded);
-        if (std::find(loaded.begin(), loaded.end(), word) != loaded.end()) return;
+        if (std::ranges::find(loaded, word) != loaded.end()) return;
         refuse(decoded, fmt::format("\"{}\"", word),
                fmt::format("it loads {}", fmt::join(loaded, " and ")));
     }
@@ -128,21 +120,13 @@ class TargetKeys {
         while (field.choices[index].name != word) ++index;
         return {index};
     }
-
-    DecodedSection& bake_;
-    std::string_view asset_;
-    const TargetFacts& target_;
-    const TargetUse& use_;
-    Decoder& decoder_;
 };
 
 std::vector<std::string_view> assets_of(const TargetFacts& target) {
     std::vector<std::string_view> assets;
     for (const TargetUse& use : target.uses) {
         for (const std::string_view asset : use.assets) {
-            if (std::find(assets.begin(), assets.end(), asset) == assets.end()) {
-                assets.push_back(asset);
-            }
+            if (std::ranges::find(assets, asset) == assets.end()) assets.push_back(asset);
         }
     }
     return assets;
@@ -170,7 +154,7 @@ void report_no_use(DecodedSection& bake, std::string_view asset, const TargetFac
                                   fmt::format("it loads {}", fmt::join(assets_of(target), ", ")));
         return;
     }
-    decoded.value = FieldValue(chosen(*decoded.field, Target::none));
+    decoded.value = chosen(*decoded.field, Target::none);
     decoder.diagnostics.warning("W0228", bake.place, message,
                                 "its files are the usual ones; `target = \"none\"` says so");
 }
@@ -194,7 +178,7 @@ void resolve_target(DecodedSection& bake, std::string_view asset, const Paramete
     const Place& place = bake.place_of("target");
     const TargetUse* use = use_of(bake, asset, target);
     if (use == nullptr) return report_no_use(bake, asset, target, decoder);
-    TargetKeys(bake, asset, target, *use, decoder).resolve();
+    TargetKeys{bake, asset, target, *use, decoder}.resolve();
     if (has_channels(recipe, use->light_channels)) return;
     decoder.diagnostics.error(
         "E0160", place,

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numbers>
 
 #include "config/assets/asset_fields.h"
 #include "config/assets/asset_kind.h"
@@ -22,20 +21,12 @@ namespace {
 constexpr int most_shares = 4;
 
 std::optional<FieldValue> read_shares(const Reader& reader, const Value& value) {
-    std::optional<std::vector<double>> shares = read_numbers(reader, value);
-    if (!shares) return std::nullopt;
-    if (!shares->empty() && shares->size() <= std::size_t{most_shares}) return std::move(*shares);
-    report_count(reader, value, shares->size(),
-                 fmt::format("expected one number, or up to {}", most_shares));
-    return std::nullopt;
+    return read_one_or_more(reader, value, "number");
 }
 
 constexpr ValueKind share_kind = list_kind(
     "a share, such as 0.3 or \"30 %\", or a list of one per channel of the noise", read_shares,
     one_or_numbers_schema, &Scales::fraction, 1, most_shares, RangeOver::numbers);
-
-constexpr Range streak_range{0, 1};
-constexpr Range wind_range{-2 * std::numbers::pi, 2 * std::numbers::pi};
 
 constexpr Choice weather_content_choices[] = {
     {WeatherContent::amounts, "amounts",
@@ -47,7 +38,6 @@ constexpr Choice cover_edge_choices[] = {
     {CoverEdge::linear, "linear", "in proportion to the noise"},
     {CoverEdge::smooth, "smooth", "smoothstep of that"},
 };
-constexpr std::string_view of_amounts[] = {"amounts"};
 
 const Row<WeatherMapBake> weather_map_table[] = {
     {"noise", Kind::text, &WeatherMapBake::noise,
@@ -59,113 +49,94 @@ const Row<WeatherMapBake> weather_map_table[] = {
      weather_content_choices, Default{R"("amounts")"}},
     {"covered", share_kind, &WeatherMapBake::covered,
      "share of the texels of a channel that are above 0, exactly", unit_range, Default{"0.5"},
-     Hint{"0.3 for fair weather, 1 for channels without gaps"}, When{"content", of_amounts}},
+     Hint{"0.3 for fair weather, 1 for channels without gaps"}, When{"content", "amounts"}},
     {"full", share_kind, &WeatherMapBake::full,
      "share of the texels that are 1; with 0 the greatest one is", unit_range, Default{"0"},
-     When{"content", of_amounts}},
+     When{"content", "amounts"}},
     {"edge", Kind::choice, &WeatherMapBake::edge, "how a channel rises from 0 to 1",
-     cover_edge_choices, Default{R"("linear")"}, When{"content", of_amounts}},
+     cover_edge_choices, Default{R"("linear")"}, When{"content", "amounts"}},
     {"yields_to", Kind::text_list, &WeatherMapBake::yields_to,
      "for each channel, another one whose finished values are taken from its noise, or \"\"",
      Hint{"for example, [\"G\", \"\", \"\"] puts low clouds only where there are no middle clouds"},
-     When{"content", of_amounts}},
+     When{"content", "amounts"}},
     {"streaks", share_kind, &WeatherMapBake::streaks,
-     "length in tiles over which the wind draws a channel's noise out, falling to 1/e",
-     streak_range, Default{"0"}, Hint{"0.05 for cirrus"}, When{"content", of_amounts}},
+     "length in tiles over which the wind draws a channel's noise out, falling to 1/e", Range{0, 1},
+     Default{"0"}, Hint{"0.05 for cirrus"}, When{"content", "amounts"}},
     {"wind", Kind::angle, &WeatherMapBake::wind,
-     "where the wind draws streaks to, from +x towards +y", wind_range, Default{R"("0 deg")"},
-     When{"content", of_amounts}},
+     "where the wind draws streaks to, from +x towards +y", turn_range, Default{R"("0 deg")"},
+     When{"content", "amounts"}},
 };
 
 // This is one section while it is resolved.
-class WeatherMapResolver {
-  public:
-    WeatherMapResolver(DecodedSection& bake, const Noise& noise, Decoder& decoder)
-        : bake_(bake), decoder_(decoder) {
-        const bool has_none = noise.pack == NoisePacking::none && noise.channels.empty();
-        if (!has_none) names_ = channel_names(noise);
-    }
+struct WeatherMapResolver {
+    DecodedSection& bake;
+    Decoder& decoder;
+    std::vector<std::string> names;  // of the noise's channels
 
-    void resolve_size(const Noise& noise) {
-        DecodedField& size = bake_.at("size");
-        if (size.source || noise.size[0] == 0) return;
-        size.value = std::array<int, 2>{noise.size[0], noise.size[1]};
-        size.derived = true;
-    }
-
-    void resolve_channels() {
+    void resolve_channels() const {
         for (const std::string_view key : {"covered", "full", "streaks"}) spread(key);
         resolve_yields();
         check_full();
         check_directions();
     }
 
-  private:
     void report_count(std::string_view key, std::size_t count) const {
-        decoder_.report("E0156", bake_, key,
-                        fmt::format("has {} items, and the noise has {} channel{}", count,
-                                    names_.size(), names_.size() == 1 ? "" : "s"),
-                        "give one item for each channel, or one for all");
+        decoder.report("E0156", bake, key,
+                       fmt::format("has {} items, and the noise has {} channel{}", count,
+                                   names.size(), names.size() == 1 ? "" : "s"),
+                       "give one item for each channel, or one for all");
     }
 
     // Gives each channel its number.
-    void spread(std::string_view key) {
-        DecodedField& decoded = bake_.at(key);
+    void spread(std::string_view key) const {
+        DecodedField& decoded = bake.at(key);
         if (!decoded.value) return;
         auto& shares = std::get<std::vector<double>>(*decoded.value);
-        if (shares.size() == 1) shares.resize(names_.size(), shares.front());
-        if (shares.size() != names_.size()) report_count(key, shares.size());
+        if (shares.size() == 1) shares.resize(names.size(), shares.front());
+        if (shares.size() != names.size()) report_count(key, shares.size());
     }
 
-    void resolve_yields() {
-        DecodedField& decoded = bake_.at("yields_to");
-        if (!decoded.value) return;
-        const auto& yields = std::get<std::vector<std::string>>(*decoded.value);
-        if (yields.empty()) return;
-        if (yields.size() != names_.size()) return report_count("yields_to", yields.size());
-        for (std::size_t i = 0; i < yields.size(); ++i) check_yield(yields, i);
+    void resolve_yields() const {
+        const auto* yields = bake.value<std::vector<std::string>>("yields_to");
+        if (!yields || yields->empty()) return;
+        if (yields->size() != names.size()) return report_count("yields_to", yields->size());
+        for (std::size_t i = 0; i < yields->size(); ++i) check_yield(*yields, i);
     }
 
     void check_yield(const std::vector<std::string>& yields, std::size_t channel) const {
         const std::string& name = yields[channel];
         if (name.empty()) return;
-        const auto found = std::ranges::find(names_, name);
-        const auto index = static_cast<std::size_t>(found - names_.begin());
-        if (found != names_.end() && index != channel && yields[index].empty()) return;
-        decoder_.report(
-            "E0156", bake_, "yields_to",
-            fmt::format(": channel {} cannot yield to `{}`", names_[channel], shorten(name)),
+        const auto found = std::ranges::find(names, name);
+        const auto index = static_cast<std::size_t>(found - names.begin());
+        if (found != names.end() && index != channel && yields[index].empty()) return;
+        decoder.report(
+            "E0156", bake, "yields_to",
+            fmt::format(": channel {} cannot yield to `{}`", names[channel], shorten(name)),
             "a channel may yield to another one of the noise that yields to none");
     }
 
     void check_full() const {
-        const DecodedField& covered = bake_.at("covered");
-        const DecodedField& full = bake_.at("full");
-        if (!covered.value || !full.value) return;
-        const auto& shares = std::get<std::vector<double>>(*covered.value);
-        const auto& most = std::get<std::vector<double>>(*full.value);
-        for (std::size_t i = 0; i < std::min(shares.size(), most.size()); ++i) {
-            if (most[i] <= shares[i]) continue;
-            decoder_.report("E0156", bake_, "full",
-                            fmt::format(": {} of a channel cannot be 1 where {} is above 0",
-                                        most[i], shares[i]),
-                            "`full` is at most `covered`");
+        const auto* covered = bake.value<std::vector<double>>("covered");
+        const auto* full = bake.value<std::vector<double>>("full");
+        if (!covered || !full) return;
+        for (std::size_t i = 0; i < std::min(covered->size(), full->size()); ++i) {
+            if ((*full)[i] <= (*covered)[i]) continue;
+            decoder.report("E0156", bake, "full",
+                           fmt::format(": {} of a channel cannot be 1 where {} is above 0",
+                                       (*full)[i], (*covered)[i]),
+                           "`full` is at most `covered`");
             return;
         }
     }
 
     void check_directions() const {
-        const auto content = choice_of<WeatherContent>(bake_.at("content"));
-        if (content != WeatherContent::directions || names_.size() == 3) return;
-        decoder_.report(
-            "E0156", bake_, "content",
-            fmt::format(": directions need three channels, and the noise has {}", names_.size()),
+        const auto content = choice_of<WeatherContent>(bake.at("content"));
+        if (content != WeatherContent::directions || names.size() == 3) return;
+        decoder.report(
+            "E0156", bake, "content",
+            fmt::format(": directions need three channels, and the noise has {}", names.size()),
             "a noise of type = \"curl\" with the components x, y and z is usual");
     }
-
-    DecodedSection& bake_;
-    Decoder& decoder_;
-    std::vector<std::string> names_;
 };
 
 // Fills in `size` from the noise, and an item for each channel. It reports a noise that does not
@@ -176,15 +147,15 @@ void resolve_weather_map(DecodedSection& bake, const RecipeSoFar& recipe, Decode
     const std::span<const Noise> noises = recipe.parameters.noises;
     const Noise* noise = find_named(bake, "noise", noises, noise_reference, decoder);
     if (!noise) return;
-    WeatherMapResolver resolver(bake, *noise, decoder);
-    resolver.resolve_size(*noise);
-    resolver.resolve_channels();
+    const auto& [width, height, depth] = noise->size;
+    if (width > 0) derive(bake.at("size"), std::array{width, height});
+    const bool has_none = noise->pack == NoisePacking::none && noise->channels.empty();
+    const auto names = has_none ? std::vector<std::string>{} : channel_names(*noise);
+    WeatherMapResolver{bake, decoder, names}.resolve_channels();
     check_frames(bake, std::array{motion_of(*noise)}, decoder);
-    const DecodedField& size = bake.at("size");
-    if (!size.value) return;
-    const auto [width, height] = std::get<std::array<int, 2>>(*size.value);
-    const std::array<int, 3> voxels = {width, height, 1};
-    OctaveChecks checks(voxels);
+    const auto* size = bake.value<std::array<int, 2>>("size");
+    if (!size) return;
+    OctaveChecks checks({(*size)[0], (*size)[1], 1});
     checks.add(*noise, noise->channels, {.sampling = noise->sampling});
     checks.report(bake.place_of("size", "noise"), decoder);
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <tuple>
 #include <utility>
 
 #include "config/text/key_path.h"
@@ -56,11 +57,8 @@ void DiagnosticList::add(Item item) {
 }
 
 std::vector<Diagnostic> DiagnosticList::take() {
-    std::ranges::stable_sort(items_, [](const Item& a, const Item& b) {
-        const bool a_is_error = a.severity == Severity::error;
-        const bool b_is_error = b.severity == Severity::error;
-        if (a_is_error != b_is_error) return b_is_error;
-        return reading_order(a.place) < reading_order(b.place);
+    std::ranges::stable_sort(items_, {}, [](const Item& item) {
+        return std::tuple(item.severity == Severity::error, reading_order(item.place));
     });
     std::vector<Diagnostic> diagnostics;
     for (Item& item : items_) {
@@ -68,11 +66,8 @@ std::vector<Diagnostic> DiagnosticList::take() {
                                source_range(item.place), std::move(item.label)});
     }
     if (left_out_ > 0) {
-        diagnostics.push_back({Severity::error,
-                               "E0123",
-                               "too many errors: " + std::to_string(left_out_) + " more not shown",
-                               {},
-                               ""});
+        diagnostics.push_back(diagnosis(
+            "E0123", "too many errors: " + std::to_string(left_out_) + " more not shown"));
     }
     items_.clear();
     return diagnostics;

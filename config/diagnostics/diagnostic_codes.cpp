@@ -49,10 +49,8 @@ std::span<const DiagnosticCode> diagnostic_codes() {
 }
 
 const DiagnosticCode* find_diagnostic_code(std::string_view code) {
-    for (const DiagnosticCode& entry : diagnostic_codes()) {
-        if (entry.code == code) return &entry;
-    }
-    return nullptr;
+    const auto found = std::ranges::find(diagnostic_codes(), code, &DiagnosticCode::code);
+    return found == diagnostic_codes().end() ? nullptr : &*found;
 }
 
 int exit_code(std::span<const Diagnostic> diagnostics) {

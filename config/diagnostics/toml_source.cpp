@@ -1,5 +1,8 @@
 #include "config/diagnostics/toml_source.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #define TOML_HEADER_ONLY 0
 #include <toml++/toml.h>
 
@@ -8,6 +11,7 @@
 #include <span>
 
 #include "config/text/key_path.h"
+#include "config/text/mapped.h"
 #include "config/text/text.h"
 #include "config/text/units.h"
 
@@ -157,13 +161,7 @@ std::string advice(const Place& place) {
     const std::size_t equals = line.find('=');
     if (!origin.empty() || equals == std::string::npos) return origin;
     std::string_view value = std::string_view(line).substr(equals + 1);
-    value = value.substr(0, value.find('#'));
-    while (!value.empty() && (value.front() == ' ' || value.front() == '\t')) {
-        value.remove_prefix(1);
-    }
-    while (!value.empty() && (value.back() == ' ' || value.back() == '\t')) {
-        value.remove_suffix(1);
-    }
+    value = trim(value.substr(0, value.find('#')));
     if (has_decimal_comma(value)) return "write a decimal point, not a comma";
     if (is_huge_integer(value)) return "write a number above 2^63 - 1 in quotes";
     const auto parsed = parse_quantity(value);
@@ -180,38 +178,11 @@ Place place_at(const Source& source, std::string_view text, std::size_t offset) 
 bool check_encoding(const Source& source, std::string_view text, DiagnosticList& diagnostics) {
     const std::optional<std::size_t> invalid = find_invalid_utf8(text);
     if (!invalid) return true;
-    constexpr std::string_view digits = "0123456789abcdef";
-    const auto byte = static_cast<unsigned char>(text[*invalid]);
-    const std::string message = std::string("`") + source.name + "` is not UTF-8 text: byte 0x" +
-                                digits[byte >> 4] + digits[byte & 15] + " at offset " +
-                                std::to_string(*invalid);
-    Place place = place_at(source, text, *invalid);
-    diagnostics.error("E0100", place, message,
+    diagnostics.error("E0100", place_at(source, text, *invalid),
+                      fmt::format("`{}` is not UTF-8 text: byte 0x{:02x} at offset {}", source.name,
+                                  static_cast<unsigned char>(text[*invalid]), *invalid),
                       "a recipe is TOML text: save it as UTF-8 in your editor");
     return false;
-}
-
-// Appends the value's text. Its recursion is not deeper than the text's own nesting, which
-// parse_toml has bounded.
-void append_value(const Value& value, std::string& text);
-
-void append_array(const Array& array, std::string& text) {
-    text += '[';
-    for (std::size_t i = 0; i < array.size(); ++i) {
-        if (i > 0) text += ", ";
-        append_value(array[i], text);
-    }
-    text += ']';
-}
-
-void append_table(const Table& table, std::string& text) {
-    text += "{ ";
-    for (std::size_t i = 0; i < table.size(); ++i) {
-        if (i > 0) text += ", ";
-        text += key_to_string(table[i].key) + " = ";
-        append_value(table[i].value, text);
-    }
-    text += " }";
 }
 
 std::string double_to_string(double value) {
@@ -220,23 +191,24 @@ std::string double_to_string(double value) {
     return number_to_string(value);
 }
 
-void append_value(const Value& value, std::string& text) {
-    if (const auto* flag = std::get_if<bool>(&value.data)) {
-        text += *flag ? "true" : "false";
-    } else if (const auto* integer = std::get_if<std::int64_t>(&value.data)) {
-        text += std::to_string(*integer);
-    } else if (const auto* number = std::get_if<double>(&value.data)) {
-        text += double_to_string(*number);
-    } else if (const auto* string = std::get_if<std::string>(&value.data)) {
-        text += toml_string(*string);
-    } else if (const auto* array = std::get_if<Array>(&value.data)) {
-        append_array(*array, text);
-    } else if (const auto* table = std::get_if<Table>(&value.data)) {
-        append_table(*table, text);
-    } else {
-        text += "a date or time";
+// Spells each alternative of a value. Its recursion is not deeper than the text's own nesting, which
+// parse_toml has bounded.
+struct Spelling {
+    std::string operator()(std::monostate) const { return "a date or time"; }
+    std::string operator()(bool flag) const { return flag ? "true" : "false"; }
+    std::string operator()(std::int64_t integer) const { return std::to_string(integer); }
+    std::string operator()(double number) const { return double_to_string(number); }
+    std::string operator()(const std::string& text) const { return toml_string(text); }
+    std::string operator()(const Array& array) const {
+        return fmt::format("[{}]", fmt::join(mapped<std::string>(array, value_to_string), ", "));
     }
-}
+    std::string operator()(const Table& table) const {
+        const auto entries = mapped<std::string>(table, [](const Entry& entry) {
+            return key_to_string(entry.key) + " = " + value_to_string(entry.value);
+        });
+        return fmt::format("{{ {} }}", fmt::join(entries, ", "));
+    }
+};
 
 }  // namespace
 
@@ -290,10 +262,6 @@ std::optional<std::string> parse_toml_key(std::string_view text) {
     return path;
 }
 
-std::string value_to_string(const Value& value) {
-    std::string text;
-    append_value(value, text);
-    return text;
-}
+std::string value_to_string(const Value& value) { return std::visit(Spelling{}, value.data); }
 
 }  // namespace skybake::config

@@ -61,14 +61,7 @@ std::optional<FieldValue> read_one_choice(const Reader& reader, const Value& val
 }
 
 std::optional<FieldValue> read_angles(const Reader& reader, const Value& value) {
-    std::optional<std::vector<double>> numbers = read_numbers(reader, value);
-    if (!numbers) return std::nullopt;
-    if (numbers->empty() || numbers->size() > std::size_t{most_angles}) {
-        report_count(reader, value, numbers->size(),
-                     fmt::format("expected one angle, or up to {}", most_angles));
-        return std::nullopt;
-    }
-    return std::move(*numbers);
+    return read_one_or_more(reader, value, "angle");
 }
 
 std::optional<FieldValue> read_channels(const Reader& reader, const Value& value) {
@@ -88,17 +81,16 @@ std::optional<FieldValue> read_channels(const Reader& reader, const Value& value
 }
 
 std::optional<FieldValue> read_choice_list(const Reader& reader, const Value& value) {
+    const auto* array = std::get_if<Array>(&value.data);
     std::vector<ChoiceIndex> choices;
     bool valid = true;
-    if (const auto* array = std::get_if<Array>(&value.data)) {
-        for (const Value& item : *array) valid = add_choice(reader, item, choices) && valid;
-        if (array->empty()) {
-            report_count(reader, value, 0,
-                         fmt::format("expected at least {}", describe_choices(reader.field)));
-            valid = false;
-        }
-    } else {
-        valid = add_choice(reader, value, choices);
+    for (const Value& item : array ? *array : Array{value}) {
+        valid = add_choice(reader, item, choices) && valid;
+    }
+    if (array && array->empty()) {
+        report_count(reader, value, 0,
+                     fmt::format("expected at least {}", describe_choices(reader.field)));
+        return std::nullopt;
     }
     if (!valid) return std::nullopt;
     return choices;
@@ -111,18 +103,17 @@ std::optional<FieldValue> read_text(const Reader& reader, const Value& value) {
 }
 
 std::optional<FieldValue> read_text_list(const Reader& reader, const Value& value) {
-    if (const auto* text = std::get_if<std::string>(&value.data)) return std::vector{*text};
     const auto* array = std::get_if<Array>(&value.data);
     std::vector<std::string> texts;
-    bool valid = array != nullptr;
-    for (std::size_t i = 0; valid && i < array->size(); ++i) {
-        const auto* text = std::get_if<std::string>(&(*array)[i].data);
-        valid = text != nullptr;
-        if (text) texts.push_back(*text);
+    for (const Value& item : array ? *array : Array{value}) {
+        const auto* text = std::get_if<std::string>(&item.data);
+        if (!text) {
+            report_type(reader, value, Kind::text_list.words);
+            return std::nullopt;
+        }
+        texts.push_back(*text);
     }
-    if (valid) return texts;
-    report_type(reader, value, Kind::text_list.words);
-    return std::nullopt;
+    return texts;
 }
 
 // Reads lists of texts. A plain list of texts counts as one group.

@@ -1,6 +1,7 @@
 #include "config/fields/field_value.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <limits>
@@ -8,27 +9,11 @@
 
 #include "config/fields/fields.h"
 #include "config/text/key_path.h"
+#include "config/text/mapped.h"
 #include "config/text/units.h"
 
 namespace skybake::config {
 namespace {
-
-template <class T, class ItemText>
-std::string list_to_string(const std::vector<T>& items, ItemText item_text) {
-    std::string text = "[";
-    for (const T& item : items) {
-        if (text.size() > 1) text += ", ";
-        text += item_text(item);
-    }
-    return text + "]";
-}
-
-// Spells one number if it is the same on all axes, else one per axis.
-std::string frequency_to_string(const std::array<int, 3>& frequency) {
-    const bool isotropic = frequency[0] == frequency[1] && frequency[1] == frequency[2];
-    return isotropic ? fmt::format("{}", frequency[0])
-                     : fmt::format("[{}, {}, {}]", frequency[0], frequency[1], frequency[2]);
-}
 
 // Spells a seed. TOML's integers end at 2^63 - 1, so a larger seed is written as text.
 std::string seed_to_string(std::uint64_t seed) {
@@ -36,7 +21,9 @@ std::string seed_to_string(std::uint64_t seed) {
     return is_toml_integer ? fmt::format("{}", seed) : fmt::format("\"{}\"", seed);
 }
 
-std::string quoted_length(double meters) { return toml_string(length_to_string(meters)); }
+std::string quoted_wavelength(Length wavelength) {
+    return toml_string(wavelength_to_string(wavelength.meters));
+}
 
 // Spells one number. A number with a unit is written as text.
 std::string one_to_string(const ValueKind& kind, double value) {
@@ -52,26 +39,15 @@ struct ToText {
 
     std::string operator()(bool flag) const { return flag ? "true" : "false"; }
     std::string operator()(double number) const { return one_to_string(field.kind, number); }
-    std::string operator()(const std::vector<double>& numbers) const {
-        return list_to_string(numbers,
-                              [&](double number) { return one_to_string(field.kind, number); });
-    }
     std::string operator()(const std::string& text) const { return toml_string(text); }
-    std::string operator()(const std::vector<std::string>& texts) const {
-        return list_to_string(texts, [](const std::string& text) { return toml_string(text); });
-    }
-    std::string operator()(const std::vector<std::vector<std::string>>& groups) const {
-        return list_to_string(groups, *this);
-    }
     std::string operator()(const std::array<int, 2>& size) const {
         return fmt::format("[{}, {}]", size[0], size[1]);
     }
+    // Spells one number if it is the same on all axes of a kind that takes one for all.
     std::string operator()(const std::array<int, 3>& numbers) const {
-        if (field.kind.one_for_all_axes) return frequency_to_string(numbers);
-        return fmt::format("[{}, {}, {}]", numbers[0], numbers[1], numbers[2]);
-    }
-    std::string operator()(const std::vector<std::array<int, 3>>& frequencies) const {
-        return list_to_string(frequencies, frequency_to_string);
+        const auto [x, y, z] = numbers;
+        if (field.kind.one_for_all_axes && x == y && y == z) return fmt::format("{}", x);
+        return fmt::format("[{}, {}, {}]", x, y, z);
     }
     template <std::size_t count>
     std::string operator()(const std::array<double, count>& numbers) const {
@@ -82,41 +58,30 @@ struct ToText {
     std::string operator()(const ChoiceIndex& choice) const {
         return toml_string(field.choices[choice.index].name);
     }
-    std::string operator()(const std::vector<ChoiceIndex>& choices) const {
-        return list_to_string(choices, *this);
+    std::string operator()(const DensityPoint& point) const {
+        return fmt::format("[{}, {}]", toml_string(length_to_string(point.altitude.meters)),
+                           number_to_string(point.density));
     }
-    std::string operator()(const std::vector<DensityPoint>& table) const {
-        return list_to_string(table, [](const DensityPoint& point) {
-            return fmt::format("[{}, {}]", quoted_length(point.altitude.meters),
-                               number_to_string(point.density));
-        });
+    std::string operator()(const IndexPoint& point) const {
+        return fmt::format("[{}, {}, {}]", quoted_wavelength(point.wavelength),
+                           number_to_string(point.real), number_to_string(point.imaginary));
     }
-    std::string operator()(const std::vector<IndexPoint>& table) const {
-        return list_to_string(table, [](const IndexPoint& point) {
-            return fmt::format("[{}, {}, {}]",
-                               toml_string(wavelength_to_string(point.wavelength.meters)),
-                               number_to_string(point.real), number_to_string(point.imaginary));
-        });
+    std::string operator()(const SpectrumPoint& point) const {
+        return fmt::format("[{}, {}]", quoted_wavelength(point.wavelength),
+                           number_to_string(point.value));
     }
-    std::string operator()(const std::vector<SpectrumPoint>& spectrum) const {
-        return list_to_string(spectrum, [](const SpectrumPoint& point) {
-            return fmt::format("[{}, {}]",
-                               toml_string(wavelength_to_string(point.wavelength.meters)),
-                               number_to_string(point.value));
-        });
+    std::string operator()(const ComponentNumber& one) const {
+        const double per_m3 = one.number_density.per_cubic_meter;
+        return fmt::format("[{}, {}]", toml_string(one.component),
+                           toml_string(number_density_to_string(per_m3)));
     }
-    std::string operator()(const std::vector<ComponentNumber>& list) const {
-        return list_to_string(list, [](const ComponentNumber& one) {
-            return fmt::format(
-                "[{}, {}]", toml_string(one.component),
-                toml_string(number_density_to_string(one.number_density.per_cubic_meter)));
-        });
+    std::string operator()(const HeightPoint& point) const {
+        return fmt::format("[{}, {}]", number_to_string(point.height),
+                           number_to_string(point.value));
     }
-    std::string operator()(const std::vector<HeightPoint>& table) const {
-        return list_to_string(table, [](const HeightPoint& point) {
-            return fmt::format("[{}, {}]", number_to_string(point.height),
-                               number_to_string(point.value));
-        });
+    template <class T>
+    std::string operator()(const std::vector<T>& items) const {
+        return fmt::format("[{}]", fmt::join(mapped<std::string>(items, *this), ", "));
     }
 };
 

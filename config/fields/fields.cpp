@@ -1,17 +1,19 @@
 #include "config/fields/fields.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 
 #include "config/text/key_path.h"
 #include "config/text/mapped.h"
+#include "config/text/text.h"
 
 namespace skybake::config {
 
 const Field* find_field(const Section& section, std::string_view key) {
-    for (const Field& field : section.fields) {
-        if (field.key == key) return &field;
-    }
-    return nullptr;
+    const auto found = std::ranges::find(section.fields, key, &Field::key);
+    return found == section.fields.end() ? nullptr : &*found;
 }
 
 std::vector<std::string_view> field_keys(const Section& section) {
@@ -23,14 +25,8 @@ std::vector<std::string_view> choice_names(const Field& field) {
 }
 
 std::vector<std::string_view> path_names(const Section& section) {
-    std::vector<std::string_view> names;
-    std::string_view rest = section.path;
-    while (!rest.empty()) {
-        const std::size_t end = std::min(rest.find('.'), rest.size());
-        names.push_back(rest.substr(0, end));
-        rest.remove_prefix(std::min(end + 1, rest.size()));
-    }
-    return names;
+    return section.path.empty() ? std::vector<std::string_view>{}
+                                : pieces_between(section.path, '.');
 }
 
 bool names_fit(std::span<const std::string> names, const Section& section) {
@@ -41,11 +37,8 @@ bool names_fit(std::span<const std::string> names, const Section& section) {
 }
 
 bool applies(const Field& field, std::string_view selector_value) {
-    if (field.selector.empty()) return true;
-    for (const std::string_view value : field.selected_by) {
-        if (value == selector_value) return true;
-    }
-    return false;
+    const Words& values = field.selected_by;
+    return field.selector.empty() || std::ranges::find(values, selector_value) != values.end();
 }
 
 bool exclude_each_other(const Field& field, const Field& other) {
@@ -61,17 +54,14 @@ std::string describe_range(const Field& field) {
     const auto text = field.kind.scale->bound_to_string;
     const Range& range = field.range;
     if (range.minimum == range.maximum) return text(range.minimum);
-    return std::string(range.or_zero ? "0 or in " : "in ") + (range.open_minimum ? "(" : "[") +
-           text(range.minimum) + ", " + text(range.maximum) + (range.open_maximum ? ")" : "]");
+    return fmt::format("{}in {}{}, {}{}", range.or_zero ? "0 or " : "",
+                       range.open_minimum ? "(" : "[", text(range.minimum), text(range.maximum),
+                       range.open_maximum ? ")" : "]");
 }
 
 std::string describe_choices(const Field& field) {
-    std::string text;
-    for (const Choice& choice : field.choices) {
-        if (!text.empty()) text += ", ";
-        text += '`' + std::string(choice.name) + '`';
-    }
-    return text.empty() ? "" : "one of " + text;
+    if (field.choices.empty()) return "";
+    return fmt::format("one of `{}`", fmt::join(choice_names(field), "`, `"));
 }
 
 std::string describe_field(const Field& field) {
@@ -81,6 +71,10 @@ std::string describe_field(const Field& field) {
         text += (field.kind.scale ? "; or " : "; ") + describe_choices(field);
     if (!field.hint.empty()) text += "; " + std::string(field.hint);
     return text;
+}
+
+std::string key_of(const ResolvedValue& value) {
+    return value.path.substr(value.section.empty() ? 0 : value.section.size() + 1);
 }
 
 bool is_read(const ResolvedValue& value, std::span<const Read> reads) {

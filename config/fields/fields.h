@@ -4,6 +4,9 @@
 // generated from these rows. No key is listed elsewhere.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <initializer_list>
 #include <numbers>
 #include <span>
 #include <string>
@@ -40,6 +43,21 @@ struct Choice {
     }
 };
 
+// A few words, which stand in the row of a key: "tent", or {"ozone", "oxygen"}.
+class Words {
+  public:
+    constexpr Words(const char* only) : Words({std::string_view(only)}) {}
+    constexpr Words(std::initializer_list<std::string_view> words) : count_(words.size()) {
+        std::ranges::copy(words, words_.begin());
+    }
+    constexpr auto begin() const { return words_.begin(); }
+    constexpr auto end() const { return words_.begin() + count_; }
+
+  private:
+    std::array<std::string_view, 7> words_{};
+    std::size_t count_ = 0;
+};
+
 struct Field {
     std::string_view key;
     ValueKind kind = Kind::text;
@@ -53,7 +71,7 @@ struct Field {
     std::string_view exclusive_group = {};  // keys of a group exclude each other ...
     std::string_view exclusive_side = {};   // ... except those on the same side
     std::string_view selector = {};         // the key applies only where this key of the table ...
-    std::span<const std::string_view> selected_by = {};  // ... has one of these values
+    Words selected_by = {};                 // ... has one of these values
     std::string_view needs = {};  // the key applies only where this text of the table is not empty
     std::string_view range_code = "E0110";  // the diagnostic for a value out of range
     bool only_shown = false;  // the key says where values come from; files do not carry it
@@ -122,9 +140,10 @@ std::string describe_field(const Field& field);
 // The field tables of several sections share these ranges and sources.
 inline constexpr Range unit_range{0, 1};
 inline constexpr Range coefficient_range{0, 1e6};  // per metre
-inline constexpr Range texel_range{1, 16384};
+inline constexpr Range texel_range{1, 16384};      // along an axis of a table, an image or a volume
 inline constexpr Range lookup_error_range{1e-7, 1};
 inline constexpr Range texel_error_range{1e-5, 1};
+inline constexpr Range turn_range{-2 * std::numbers::pi, 2 * std::numbers::pi};
 inline constexpr Range elevation_range{-std::numbers::pi / 2, std::numbers::pi / 2};
 inline constexpr Range camera_altitude_range{0, 1e12};
 inline constexpr Range view_distance_range{1e-3, 1e12};
@@ -137,7 +156,6 @@ inline constexpr std::string_view bruneton_2017 =
     "Bruneton 2017, Precomputed Atmospheric Scattering: a New Implementation";
 inline constexpr std::string_view olajos_2016 =
     "Olajos 2016, Real-Time Rendering of Volumetric Clouds";
-inline constexpr std::string_view karis_2013 = "Karis 2013, Real Shading in Unreal Engine 4";
 inline constexpr std::string_view schneider_2015 =
     "Schneider and Vos 2015, The Real-Time Volumetric Cloudscapes of Horizon: Zero Dawn";
 

@@ -2,7 +2,7 @@
 // each in a type of its own.
 //
 //   key("gain", Kind::number, "weight of an octave over that of the one before", gain_range,
-//       Default{"0.5"}, Exclusive{"gains"}, When{"type", noises}, Cited{musgrave_1994})
+//       Default{"0.5"}, Exclusive{"gains"}, When{"type", "perlin"}, Cited{musgrave_1994})
 #pragma once
 
 #include <span>
@@ -36,7 +36,7 @@ struct Exclusive {
 // The key applies only where another key of the table has one of these values.
 struct When {
     std::string_view selector;
-    std::span<const std::string_view> values;
+    Words values;
 };
 
 // The key applies only where this text of the table is not empty.

@@ -1,10 +1,12 @@
 // This file makes the JSON Schemas of the kinds of values.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <nlohmann/json.hpp>
 
 #include "config/fields/fields.h"
 #include "config/fields/wavelength_reader.h"
+#include "config/text/text.h"
 
 namespace skybake::config {
 namespace {
@@ -13,14 +15,8 @@ using Json = nlohmann::ordered_json;
 
 // Describes a number followed by one of a dimension's units, as units.h reads it.
 Json quantity(Dimension dimension) {
-    std::string names;
-    for (const std::string_view name : unit_spellings(dimension)) {
-        if (!names.empty()) names += '|';
-        for (const char c : name) {
-            if (c == '^') names += '\\';
-            names += c;
-        }
-    }
+    const std::string names =
+        replaced(fmt::format("{}", fmt::join(unit_spellings(dimension), "|")), {{'^', "\\^"}});
     const std::string number = R"([+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?)";
     return {{"type", "string"},
             {"pattern", fmt::format("^[ \t]*{}[ \t]*({})[ \t]*$", number, names)}};
@@ -44,9 +40,14 @@ Json one_or_list(const Json& item, int fewest, int most) {
 
 Json texts() { return {{"type", "array"}, {"items", {{"type", "string"}}}}; }
 
-Json pair_table(const Json& first, const Json& second, int fewest) {
-    Json pair = {{"type", "array"}, {"items", {first, second}}, {"minItems", 2}, {"maxItems", 2}};
-    return {{"type", "array"}, {"items", std::move(pair)}, {"minItems", fewest}};
+// Describes a list of exactly these items.
+Json tuple_of(const std::vector<Json>& items) {
+    const std::size_t count = items.size();
+    return {{"type", "array"}, {"items", items}, {"minItems", count}, {"maxItems", count}};
+}
+
+Json table_of(const std::vector<Json>& columns, int fewest) {
+    return {{"type", "array"}, {"items", tuple_of(columns)}, {"minItems", fewest}};
 }
 
 }  // namespace
@@ -94,11 +95,7 @@ Json path_groups_schema(const Field&) {
     return {{"anyOf", {texts(), {{"type", "array"}, {"items", texts()}}}}};
 }
 
-Json choice_schema(const Field& field) {
-    Json names = Json::array();
-    for (const std::string_view name : choice_names(field)) names.push_back(name);
-    return {{"enum", names}};
-}
+Json choice_schema(const Field& field) { return {{"enum", choice_names(field)}}; }
 
 Json choice_list_schema(const Field& field) {
     Json list = list_of(choice_schema(field), 1, static_cast<int>(field.choices.size()));
@@ -134,31 +131,26 @@ Json seed_schema(const Field&) {
 
 Json density_table_schema(const Field& field) {
     const Json text = {{"type", "string"}};
-    const Json file = {{"type", "array"}, {"items", text}, {"minItems", 2}, {"maxItems", 2}};
-    return {{"anyOf",
-             {pair_table(quantity(Dimension::length), bare_number(field.range), 2), text, file}}};
+    const Json table = table_of({quantity(Dimension::length), bare_number(field.range)}, 2);
+    return {{"anyOf", {table, text, tuple_of({text, text})}}};
 }
 
 Json height_table_schema(const Field& field) {
-    return pair_table(bare_number({0, 1}), bare_number(field.range), 1);
+    return table_of({bare_number(unit_range), bare_number(field.range)}, 1);
 }
 
 Json index_table_schema(const Field& field) {
     const Json number = bare_number(field.range);
-    const Json entry = {{"type", "array"},
-                        {"items", {quantity(Dimension::length), number, number}},
-                        {"minItems", 3},
-                        {"maxItems", 3}};
-    return {{"type", "array"}, {"items", entry}, {"minItems", 1}};
+    return table_of({quantity(Dimension::length), number, number}, 1);
 }
 
 Json components_schema(const Field&) {
-    return pair_table({{"type", "string"}}, quantity(Dimension::number_density), 1);
+    return table_of({{{"type", "string"}}, quantity(Dimension::number_density)}, 1);
 }
 
 Json albedo_schema(const Field& field) {
     Json schema = one_or_numbers_schema(field);
-    schema["anyOf"].push_back(pair_table(quantity(Dimension::length), number_schema(field), 2));
+    schema["anyOf"].push_back(table_of({quantity(Dimension::length), number_schema(field)}, 2));
     schema["anyOf"].push_back(choice_schema(field));
     return schema;
 }

@@ -205,9 +205,15 @@ struct Kind {
                                          3,
                                          3,
                                          true};
-    static constexpr ValueKind frequencies =
-        list_kind("a list of one frequency per octave, such as [8, 32, 56]", read_frequencies,
-                  frequencies_schema, &S::plain, 1, most_octaves);
+    static constexpr ValueKind frequencies{
+        "a list of one frequency per octave, such as [8, 32, 56]",
+        read_frequencies,
+        frequencies_schema,
+        &S::plain,
+        RangeOver::nothing,
+        1,
+        most_octaves,
+        true};
     static constexpr ValueKind levels{"a whole number, or \"all\"", read_levels, levels_schema,
                                       &S::level_count, RangeOver::wholes};
     static constexpr ValueKind power_of_two{"a power of two, such as 4", read_power_of_two,

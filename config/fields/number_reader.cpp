@@ -1,6 +1,7 @@
 #include "config/fields/number_reader.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <array>
 #include <cmath>
@@ -8,7 +9,6 @@
 
 #include "config/diagnostics/toml_source.h"
 #include "config/text/key_path.h"
-#include "config/text/text.h"
 #include "config/text/units.h"
 
 namespace skybake::config {
@@ -50,12 +50,7 @@ std::optional<double> check_range(const Reader& reader, const Value& value, doub
 }
 
 std::string list_units(Dimension dimension) {
-    std::string text;
-    for (const std::string_view name : unit_names(dimension)) {
-        if (!text.empty()) text += ", ";
-        text += name;
-    }
-    return text;
+    return fmt::format("{}", fmt::join(unit_names(dimension), ", "));
 }
 
 // Says what to write in place of a unit that there is not.
@@ -179,34 +174,44 @@ std::optional<double> read_integer(const Reader& reader, const Value& value) {
     return check_range(reader, value, static_cast<double>(*integer));
 }
 
+const Array* list_of(const Reader& reader, const Value& value) {
+    const auto* array = std::get_if<Array>(&value.data);
+    if (!array) report_type(reader, value, reader.field.kind.words);
+    return array;
+}
+
 const Array* read_items(const Reader& reader, const Value& value, std::size_t count,
                         std::string label) {
-    const auto* array = std::get_if<Array>(&value.data);
-    if (!array) {
-        report_type(reader, value, reader.field.kind.words);
-    } else if (array->size() != count) {
-        report_count(reader, value, array->size(), std::move(label));
-        return nullptr;
-    }
-    return array;
+    const Array* array = list_of(reader, value);
+    if (!array || array->size() == count) return array;
+    report_count(reader, value, array->size(), std::move(label));
+    return nullptr;
 }
 
 std::optional<std::vector<double>> read_numbers(const Reader& reader, const Value& value) {
     const auto* array = std::get_if<Array>(&value.data);
     std::vector<double> numbers;
     bool valid = true;
-    const auto read_one = [&](const Value& item) {
+    for (const Value& item : array ? *array : Array{value}) {
         const std::optional<double> number = read_number(reader, item);
         valid = valid && number;
         if (number) numbers.push_back(*number);
-    };
-    if (array) {
-        for (const Value& item : *array) read_one(item);
-    } else {
-        read_one(value);
     }
     if (!valid) return std::nullopt;
     return numbers;
+}
+
+std::optional<FieldValue> read_one_or_more(const Reader& reader, const Value& value,
+                                           std::string_view noun) {
+    std::optional<std::vector<double>> numbers = read_numbers(reader, value);
+    if (!numbers) return std::nullopt;
+    const int most = reader.field.kind.most;
+    if (!numbers->empty() && numbers->size() <= static_cast<std::size_t>(most)) {
+        return std::move(*numbers);
+    }
+    report_count(reader, value, numbers->size(),
+                 fmt::format("expected one {}, or up to {}", noun, most));
+    return std::nullopt;
 }
 
 void report_count(const Reader& reader, const Value& value, std::size_t count, std::string label) {

@@ -43,6 +43,9 @@ std::optional<double> read_number(const Reader& reader, const Value& value);
 // Reads a TOML integer in the field's range.
 std::optional<double> read_integer(const Reader& reader, const Value& value);
 
+// Returns the items of a list. Returns null and reports an error if the value is no list.
+const Array* list_of(const Reader& reader, const Value& value);
+
 // Returns a list's items, of which there must be `count`. Returns null and reports an error if the
 // value is not such a list. `label` names the items.
 const Array* read_items(const Reader& reader, const Value& value, std::size_t count,
@@ -51,5 +54,9 @@ const Array* read_items(const Reader& reader, const Value& value, std::size_t co
 // Reads every number of a list, or a single number as a list of one. Returns none if one of them is
 // at fault.
 std::optional<std::vector<double>> read_numbers(const Reader& reader, const Value& value);
+
+// Does so for one number or more, up to the most that the field's kind takes. `noun` names one in messages.
+std::optional<FieldValue> read_one_or_more(const Reader& reader, const Value& value,
+                                           std::string_view noun);
 
 }  // namespace skybake::config

@@ -58,6 +58,9 @@ struct ResolvedValue {
         false;  // says where others come from (`preset`, `absorption`); files do not carry it
 };
 
+// Returns the last name of a value's path, which its section has as a key.
+std::string key_of(const ResolvedValue& value);
+
 // Whether an asset that reads `reads` is made from the value.
 bool is_read(const ResolvedValue& value, std::span<const Read> reads);
 

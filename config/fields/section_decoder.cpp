@@ -9,6 +9,7 @@
 #include "config/fields/field_reader.h"
 #include "config/presets/presets.h"
 #include "config/text/key_path.h"
+#include "config/text/mapped.h"
 #include "config/text/text.h"
 
 namespace skybake::config {
@@ -28,13 +29,6 @@ struct SectionReader {
         const DecodedField& selector = result.at(field.selector);
         if (!selector.value) return std::nullopt;
         return selector.field->choices[std::get<ChoiceIndex>(*selector.value).index].name;
-    }
-
-    bool is_excluded(const Field& field) const {
-        for (const Field& other : section.fields) {
-            if (exclude_each_other(field, other) && find_entry(table, other.key)) return true;
-        }
-        return false;
     }
 
     void report_misplaced(const Field& field, const Entry& entry, std::string_view found) const {
@@ -120,7 +114,7 @@ struct SectionReader {
             decoded.source = &entry->value;
             decoded.value = read_field(field, join_path(result.path, field.key), entry->value,
                                        decoder.channels, decoder.diagnostics);
-        } else if (absent == Absent::filled_in && !is_excluded(field)) {
+        } else if (absent == Absent::filled_in && !is_excluded(field, section, table)) {
             if (field.required) report_missing(field);
             decoded.value = default_value(field, decoder.channels);
         }
@@ -208,8 +202,8 @@ std::string what_to_write(const ReferenceWords& words, const std::string& name) 
 }  // namespace
 
 const DecodedField* DecodedSection::find(std::string_view key) const {
-    const auto found = std::ranges::find_if(
-        fields, [&](const DecodedField& decoded) { return decoded.field->key == key; });
+    const auto key_of_field = [](const DecodedField& decoded) { return decoded.field->key; };
+    const auto found = std::ranges::find(fields, key, key_of_field);
     return found == fields.end() ? nullptr : &*found;
 }
 
@@ -221,6 +215,16 @@ const DecodedField& DecodedSection::at(std::string_view key) const {
 
 DecodedField& DecodedSection::at(std::string_view key) {
     return const_cast<DecodedField&>(std::as_const(*this).at(key));
+}
+
+std::optional<double> DecodedSection::number(std::string_view key) const {
+    const auto* found = value<double>(key);
+    return found ? std::optional(*found) : std::nullopt;
+}
+
+std::optional<int> DecodedSection::whole(std::string_view key) const {
+    const auto* found = value<double>(key);
+    return found ? std::optional(static_cast<int>(*found)) : std::nullopt;
 }
 
 const Place& DecodedSection::place_of(std::string_view key, std::string_view other) const {
@@ -238,10 +242,10 @@ void Decoder::report(std::string_view code, const DecodedSection& section, std::
                        std::move(label));
 }
 
-void check_name(const std::string& name, const std::string& path, std::string_view what,
-                const Place& place, Decoder& decoder) {
-    if (is_bare_key(name)) return;
-    decoder.diagnostics.error("E0117", place,
+void check_name(const Entry& entry, const std::string& path, std::string_view what,
+                Decoder& decoder) {
+    if (is_bare_key(entry.key)) return;
+    decoder.diagnostics.error("E0117", entry.key_place,
                               fmt::format("[{}] cannot be the name of {}", shorten(path), what),
                               "use only letters, digits, `_` and `-`");
 }
@@ -253,6 +257,12 @@ DecodedSection decode_section(const Section& section, const std::string& path, c
     for (DecodedField& decoded : reader.result.fields) reader.read(*decoded.field, decoded);
     reader.report_unknown_keys();
     return std::move(reader.result);
+}
+
+bool is_excluded(const Field& field, const Section& section, const Table& table) {
+    return std::ranges::any_of(section.fields, [&](const Field& other) {
+        return exclude_each_other(field, other) && find_entry(table, other.key);
+    });
 }
 
 const Table& subtable(const Table& table, std::string_view key, const std::string& path,
@@ -272,6 +282,13 @@ const Table* named_table(const Entry& entry, const std::string& path, Decoder& d
                     shorten(value_to_string(entry.value))),
         fmt::format("write [{}] and its keys below", join_path(path, entry.key)));
     return nullptr;
+}
+
+std::vector<const Entry*> in_reading_order(const Table& table) {
+    auto entries = mapped<const Entry*>(table, [](const Entry& entry) { return &entry; });
+    std::ranges::stable_sort(entries, {},
+                             [](const Entry* entry) { return reading_order(entry->key_place); });
+    return entries;
 }
 
 void append_values(const DecodedSection& section, Decoder& decoder) {
@@ -298,14 +315,10 @@ void append_values(const DecodedSection& section, Decoder& decoder) {
     }
 }
 
-const std::string* text_of(const DecodedField& decoded) {
-    return decoded.value ? std::get_if<std::string>(&*decoded.value) : nullptr;
-}
-
 void report_unknown_name(const DecodedSection& section, std::string_view key,
                          std::span<const std::string_view> names, const ReferenceWords& words,
                          Decoder& decoder) {
-    const std::string& name = *text_of(section.at(key));
+    const std::string& name = *section.value<std::string>(key);
     std::string label = did_you_mean(name, names);
     if (label.empty()) label = what_to_write(words, name);
     if (label.empty() && names.empty()) label = fmt::format("the recipe has no {}", words.section);

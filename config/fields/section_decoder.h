@@ -127,6 +127,12 @@ struct DecodedField {
     std::optional<FieldValue> value = {};
     const Value* source = nullptr;  // null if it is a default or derived from other fields
     bool derived = false;
+
+    // Returns the value, or null if there is none or it is of another type.
+    template <class T>
+    const T* as() const {
+        return value ? std::get_if<T>(&*value) : nullptr;
+    }
 };
 
 struct DecodedSection {
@@ -138,14 +144,25 @@ struct DecodedSection {
     const DecodedField& at(std::string_view key) const;
     // Returns null if the section has no such field.
     const DecodedField* find(std::string_view key) const;
+    // Returns the value of a key, or null if it has none or one of another type.
+    template <class T>
+    const T* value(std::string_view key) const {
+        return at(key).as<T>();
+    }
+    // Returns the value of a key as a number or as a whole one, or none if it has no value.
+    std::optional<double> number(std::string_view key) const;
+    std::optional<int> whole(std::string_view key) const;
+    // Whether the recipe gives the key.
+    bool gives(std::string_view key) const { return at(key).source != nullptr; }
     // Returns the place of a key's value, or else of another key's, or of the table's name if neither
     // is given.
     const Place& place_of(std::string_view key, std::string_view other = {}) const;
 };
 
-// Reports a name that a table's path cannot end with. `what` is what it would name: "a noise".
-void check_name(const std::string& name, const std::string& path, std::string_view what,
-                const Place& place, Decoder& decoder);
+// Reports the name of an entry that a table's path cannot end with. `what` is what it would name: "a
+// noise".
+void check_name(const Entry& entry, const std::string& path, std::string_view what,
+                Decoder& decoder);
 
 // This says what happens to keys that are not given. They are filled in, and reported where they
 // are required, or they are left out (in layers that are switched off).
@@ -155,6 +172,9 @@ enum class Absent { filled_in, left_out };
 DecodedSection decode_section(const Section& section, const std::string& path, const Place& place,
                               const Table& table, Absent absent, Decoder& decoder);
 
+// Whether a table has another key of the section, which excludes the field.
+bool is_excluded(const Field& field, const Section& section, const Table& table);
+
 // Returns the table under a key. It returns an empty table if there is none, and also if the value
 // is no table, which it reports.
 const Table& subtable(const Table& table, std::string_view key, const std::string& path,
@@ -163,6 +183,9 @@ const Table& subtable(const Table& table, std::string_view key, const std::strin
 // Returns the table of an entry below `path` that the user names, such as a layer. It returns null
 // and reports an error if the value is no table.
 const Table* named_table(const Entry& entry, const std::string& path, Decoder& decoder);
+
+// Returns the entries of a table in the order in which its sources name them.
+std::vector<const Entry*> in_reading_order(const Table& table);
 
 // Returns the choice that a field has made, or none if the value is missing or at fault.
 template <class Enum>
@@ -181,12 +204,17 @@ ChoiceIndex chosen(const Field& field, Enum value) {
     return {index};
 }
 
-// Sets a value that follows from others, unless the recipe gives one.
+// Sets a value that follows from others.
 template <class T>
-void derive(DecodedField& decoded, T value) {
-    if (decoded.source) return;
+void replace(DecodedField& decoded, T value) {
     decoded.value = std::move(value);
     decoded.derived = true;
+}
+
+// Does so unless the recipe gives a value.
+template <class T>
+void derive(DecodedField& decoded, T value) {
+    if (!decoded.source) replace(decoded, std::move(value));
 }
 
 // Appends the section's values to those of the recipe.
@@ -201,6 +229,19 @@ void bind_section(const DecodedSection& section, std::span<const Row<S>> rows, S
         const std::optional<FieldValue>& value = section.fields[i].value;
         if (value) rows[i].fill(target, *value);
     }
+}
+
+// Decodes the section of a table, appends its values and fills the members of `target`. `pattern` is
+// the section's path, in which a `*` stands for a name, and `path` that of the table.
+template <class S>
+DecodedSection decode_into(S& target, std::span<const Row<S>> rows, std::string_view pattern,
+                           const std::string& path, const Place& place, const Table& table,
+                           Decoder& decoder) {
+    DecodedSection section =
+        decode_section(*find_section(pattern), path, place, table, Absent::filled_in, decoder);
+    append_values(section, decoder);
+    bind_section(section, rows, target);
+    return section;
 }
 
 // The rest of this header is about keys that name another section of the recipe, such as a bake's
@@ -219,9 +260,6 @@ inline constexpr ReferenceWords particles_reference{"E0140", "particles", "[part
 inline constexpr ReferenceWords volume_reference{"E0170", "volume", "[volumes.NAME]"};
 inline constexpr ReferenceWords cloud_reference{"E0132", "cloud", "[clouds.NAME]"};
 
-// Returns the text of a field, or null if it has none.
-const std::string* text_of(const DecodedField& decoded);
-
 // Reports that the key names none of `names`.
 void report_unknown_name(const DecodedSection& section, std::string_view key,
                          std::span<const std::string_view> names, const ReferenceWords& words,
@@ -233,7 +271,7 @@ void report_unknown_name(const DecodedSection& section, std::string_view key,
 template <class T>
 const T* find_named(const DecodedSection& section, std::string_view key, std::span<const T> things,
                     const ReferenceWords& words, Decoder& decoder) {
-    const std::string* name = text_of(section.at(key));
+    const auto* name = section.value<std::string>(key);
     if (!name || (name->empty() && !section.at(key).field->required)) return nullptr;
     std::vector<std::string_view> names;
     for (const T& thing : things) {

@@ -2,6 +2,7 @@
 // refractive indices over wavelength, and lists of components.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <utility>
@@ -25,45 +26,36 @@ struct Columns {
     std::string_view second;  // "density"
     std::string_view example;
     std::size_t fewest;
-    std::string_view too_few;
-    std::string (*to_string)(double);
-    ValueKind second_kind = Kind::number;
+    std::string (*to_string)(double);  // of the first column
+    ValueKind second_kind;
 };
 
 // A table begins at the ground, so a negative altitude is a mistake.
-constexpr Columns density_columns{
-    {.key = "altitude", .kind = Kind::length, .range = {0, 1e12}},
-    "altitudes",
-    "density",
-    "[\"10 km\", 0.5]",
-    2,
-    "fewer than two entries",
-    length_to_string,
-};
-
-constexpr Columns height_columns{
-    {.key = "height", .kind = Kind::number, .range = {0, 1}},
-    "heights",
-    "value",
-    "[0.2, 1.0]",
-    1,
-    "no entries",
-    number_to_string,
-};
-
+constexpr Columns density_columns{key("altitude", Kind::length, Range{0, 1e12}),
+                                  "altitudes",
+                                  "density",
+                                  "[\"10 km\", 0.5]",
+                                  2,
+                                  length_to_string,
+                                  Kind::number};
+constexpr Columns height_columns{key("height", Kind::number, unit_range),
+                                 "heights",
+                                 "value",
+                                 "[0.2, 1.0]",
+                                 1,
+                                 number_to_string,
+                                 Kind::number};
+constexpr Field wavelength_field = key("wavelength", Kind::length, Range{1e-8, 1e-3});
 constexpr Columns spectrum_columns{
-    {.key = "wavelength", .kind = Kind::length, .range = {1e-8, 1e-3}},
-    "wavelengths",
-    "albedo",
-    "[\"450 nm\", 0.07]",
-    2,
-    "fewer than two entries",
-    wavelength_to_string,
-    Kind::fraction,
-};
+    wavelength_field,     "wavelengths", "albedo", "[\"450 nm\", 0.07]", 2,
+    wavelength_to_string, Kind::fraction};
 
 std::string pair_words(const Columns& columns) {
     return fmt::format("[{}, {}]", columns.first.key, columns.second);
+}
+
+std::optional<double> read_item(const Reader& reader, const Field& field, const Value& value) {
+    return read_number(Reader{field, reader.path, reader.diagnostics}, value);
 }
 
 std::optional<Pair> read_entry(const Reader& reader, const Columns& columns, const Value& value) {
@@ -76,10 +68,8 @@ std::optional<Pair> read_entry(const Reader& reader, const Columns& columns, con
         return std::nullopt;
     }
     const Field second_field = key(columns.second, columns.second_kind, reader.field.range);
-    const auto first =
-        read_number(Reader{columns.first, reader.path, reader.diagnostics}, (*pair)[0]);
-    const auto second =
-        read_number(Reader{second_field, reader.path, reader.diagnostics}, (*pair)[1]);
+    const auto first = read_item(reader, columns.first, (*pair)[0]);
+    const auto second = read_item(reader, second_field, (*pair)[1]);
     if (!first || !second) return std::nullopt;
     return Pair{*first, *second};
 }
@@ -92,34 +82,6 @@ bool check_order(const Reader& reader, const Columns& columns, const Value& item
                              columns.plural, columns.to_string(first), columns.to_string(before)),
                  fmt::format("each {} must be above the one before", columns.first.key));
     return false;
-}
-
-std::optional<std::vector<Pair>> read_table(const Reader& reader, const Columns& columns,
-                                            const Value& value) {
-    const auto* array = std::get_if<Array>(&value.data);
-    if (!array) {
-        report_type(reader, value, reader.field.kind.words);
-        return std::nullopt;
-    }
-    if (array->size() < columns.fewest) {
-        reader.error("E0114", value, fmt::format("`{}` has {}", reader.path, columns.too_few),
-                     fmt::format("give at least {} {} pair{}", columns.fewest == 1 ? "one" : "two",
-                                 pair_words(columns), columns.fewest == 1 ? "" : "s"));
-        return std::nullopt;
-    }
-    std::vector<Pair> table;
-    bool valid = true;
-    for (const Value& item : *array) {
-        const std::optional<Pair> pair = read_entry(reader, columns, item);
-        valid = valid && pair;
-        if (!pair) continue;
-        const bool increases =
-            table.empty() || check_order(reader, columns, item, (*pair)[0], table.back()[0]);
-        valid = valid && increases;
-        table.push_back(*pair);
-    }
-    if (!valid) return std::nullopt;
-    return table;
 }
 
 // Returns an entry's items, of which there must be `count`, or null if it has
@@ -135,24 +97,14 @@ const Array* entry_items(const Reader& reader, const Value& value, std::size_t c
     return nullptr;
 }
 
-// Reads a list that must not be empty. `fits(before, entry, value)` reports an entry that does not
-// go with those before it, and returns whether it does.
+// Reads the entries of a list. `fits(before, entry, value)` reports an entry that does not go with those
+// before it, and returns whether it does.
 template <class T, class ReadEntry, class Fits>
-std::optional<FieldValue> read_entries(const Reader& reader, const Value& value,
-                                       const ReadEntry& read, const Fits& fits) {
-    const auto* array = std::get_if<Array>(&value.data);
-    if (!array) {
-        report_type(reader, value, reader.field.kind.words);
-        return std::nullopt;
-    }
-    if (array->empty()) {
-        reader.error("E0114", value, fmt::format("`{}` has no entries", reader.path),
-                     fmt::format("give {}", reader.field.kind.words));
-        return std::nullopt;
-    }
+std::optional<std::vector<T>> read_entries(const Reader& reader, const Array& array,
+                                           const ReadEntry& read, const Fits& fits) {
     std::vector<T> list;
     bool valid = true;
-    for (const Value& entry : *array) {
+    for (const Value& entry : array) {
         std::optional<T> one = read(reader, entry);
         valid = (!one || fits(list, *one, entry)) && one && valid;
         if (one) list.push_back(std::move(*one));
@@ -161,23 +113,48 @@ std::optional<FieldValue> read_entries(const Reader& reader, const Value& value,
     return list;
 }
 
+// Returns the items of a list that must not be empty, or null, which is reported.
+const Array* some_entries(const Reader& reader, const Value& value) {
+    const Array* array = list_of(reader, value);
+    if (!array || !array->empty()) return array;
+    reader.error("E0114", value, fmt::format("`{}` has no entries", reader.path),
+                 fmt::format("give {}", reader.field.kind.words));
+    return nullptr;
+}
+
+std::optional<std::vector<Pair>> read_table(const Reader& reader, const Columns& columns,
+                                            const Value& value) {
+    const Array* array = list_of(reader, value);
+    if (!array) return std::nullopt;
+    if (array->size() < columns.fewest) {
+        const bool is_one = columns.fewest == 1;
+        reader.error("E0114", value,
+                     fmt::format("`{}` has {}", reader.path,
+                                 is_one ? "no entries" : "fewer than two entries"),
+                     fmt::format("give at least {} {} pair{}", is_one ? "one" : "two",
+                                 pair_words(columns), is_one ? "" : "s"));
+        return std::nullopt;
+    }
+    return read_entries<Pair>(
+        reader, *array,
+        [&](const Reader& of, const Value& entry) { return read_entry(of, columns, entry); },
+        [&](const std::vector<Pair>& table, const Pair& pair, const Value& entry) {
+            return table.empty() || check_order(reader, columns, entry, pair[0], table.back()[0]);
+        });
+}
+
 template <class Point>
 std::optional<FieldValue> points_of(const std::optional<std::vector<Pair>>& pairs) {
     if (!pairs) return std::nullopt;
     return mapped<Point>(*pairs, [](const Pair& pair) { return Point{{pair[0]}, pair[1]}; });
 }
 
-std::optional<double> read_item(const Reader& reader, const Field& field, const Value& value) {
-    return read_number(Reader{field, reader.path, reader.diagnostics}, value);
-}
-
 std::optional<IndexPoint> read_index(const Reader& reader, const Value& value) {
-    constexpr Field wavelength = key("wavelength", Kind::length, Range{1e-8, 1e-3});
     constexpr Field real = key("n", Kind::number, Range{0.01, 100});
     const Field imaginary = key("k", Kind::number, reader.field.range);
     const Array* items = entry_items(reader, value, 3, "[wavelength, n, k]");
     if (!items) return std::nullopt;
-    const auto at = read_item(reader, wavelength, (*items)[0]);
+    const auto at = read_item(reader, wavelength_field, (*items)[0]);
     const auto n = read_item(reader, real, (*items)[1]);
     const auto k = read_item(reader, imaginary, (*items)[2]);
     if (!at || !n || !k) return std::nullopt;
@@ -219,8 +196,10 @@ std::optional<FieldValue> read_albedo(const Reader& reader, const Value& value) 
 }
 
 std::optional<FieldValue> read_index_table(const Reader& reader, const Value& value) {
+    const Array* array = some_entries(reader, value);
+    if (!array) return std::nullopt;
     return read_entries<IndexPoint>(
-        reader, value, read_index,
+        reader, *array, read_index,
         [&](const std::vector<IndexPoint>& table, const IndexPoint& point, const Value& entry) {
             const double before = table.empty() ? 0 : table.back().wavelength.meters;
             if (point.wavelength.meters > before) return true;
@@ -234,20 +213,20 @@ std::optional<FieldValue> read_index_table(const Reader& reader, const Value& va
 }
 
 std::optional<FieldValue> read_components(const Reader& reader, const Value& value) {
+    const Array* array = some_entries(reader, value);
+    if (!array) return std::nullopt;
     return read_entries<ComponentNumber>(
-        reader, value, read_component,
+        reader, *array, read_component,
         [&](const std::vector<ComponentNumber>& list, const ComponentNumber& one,
             const Value& entry) {
-            bool is_new = true;
-            for (const ComponentNumber& earlier : list) {
-                if (earlier.component != one.component) continue;
-                reader.error(
-                    "E0114", entry,
-                    fmt::format("`{}` names {} twice", reader.path, shorten(one.component)),
-                    "give its numbers together");
-                is_new = false;
-            }
-            return is_new;
+            const auto is_same = [&](const ComponentNumber& other) {
+                return other.component == one.component;
+            };
+            if (std::ranges::none_of(list, is_same)) return true;
+            reader.error("E0114", entry,
+                         fmt::format("`{}` names {} twice", reader.path, shorten(one.component)),
+                         "give its numbers together");
+            return false;
         });
 }
 

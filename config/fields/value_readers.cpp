@@ -48,40 +48,22 @@ bool is_power_of_two(int number) { return (number & (number - 1)) == 0; }
 // single precision.
 constexpr double least_difference = 1e-6;
 
-constexpr std::string_view seed_bounds = "must be from 0 to 18446744073709551615 (2^64 - 1)";
-
-struct ParsedSeed {
-    std::uint64_t value = 0;
-    bool is_number = false;
-    bool fits = false;
-};
-
-// Reads digits, or 0x and hexadecimal digits, and nothing else.
-ParsedSeed parse_seed(std::string_view text) {
+// Reads digits, or 0x and hexadecimal digits, and nothing else. Returns what is wrong, or no error.
+std::errc parse_seed(std::string_view text, std::uint64_t& seed) {
     const bool hexadecimal = text.starts_with("0x") || text.starts_with("0X");
     if (hexadecimal) text.remove_prefix(2);
-    ParsedSeed seed;
     const char* end = text.data() + text.size();
-    const auto [last, error] = std::from_chars(text.data(), end, seed.value, hexadecimal ? 16 : 10);
-    seed.is_number = last == end && error != std::errc::invalid_argument;
-    seed.fits = error == std::errc();
-    return seed;
+    const auto [last, error] = std::from_chars(text.data(), end, seed, hexadecimal ? 16 : 10);
+    return last == end ? error : std::errc::invalid_argument;
 }
 
 // Returns the items of a list of one to most_octaves values. Returns null and reports an error if
 // the value is not such a list.
 const Array* octave_list(const Reader& reader, const Value& value) {
-    const auto* array = std::get_if<Array>(&value.data);
-    if (!array) {
-        report_type(reader, value, reader.field.kind.words);
-        return nullptr;
-    }
-    if (array->empty() || array->size() > std::size_t{most_octaves}) {
-        report_count(reader, value, array->size(),
-                     fmt::format("give one to {} octaves", most_octaves));
-        return nullptr;
-    }
-    return array;
+    const Array* array = list_of(reader, value);
+    if (!array || (!array->empty() && array->size() <= std::size_t{most_octaves})) return array;
+    report_count(reader, value, array->size(), fmt::format("give one to {} octaves", most_octaves));
+    return nullptr;
 }
 
 // Reads one number for all axes, or one per axis.
@@ -111,19 +93,17 @@ std::optional<std::array<int, 3>> read_axes(const Reader& reader, const Value& v
 }  // namespace
 
 std::optional<FieldValue> read_seed(const Reader& reader, const Value& value) {
-    if (const auto* integer = std::get_if<std::int64_t>(&value.data)) {
-        if (*integer >= 0) return static_cast<std::uint64_t>(*integer);
-        report_range(reader, value, true, std::string(seed_bounds));
-        return std::nullopt;
-    }
+    const auto* integer = std::get_if<std::int64_t>(&value.data);
+    if (integer && *integer >= 0) return static_cast<std::uint64_t>(*integer);
     const auto* text = std::get_if<std::string>(&value.data);
-    const ParsedSeed seed = text ? parse_seed(*text) : ParsedSeed{};
-    if (!seed.is_number) {
+    std::uint64_t seed = 0;
+    const std::errc error = text ? parse_seed(*text, seed) : std::errc::invalid_argument;
+    if (error == std::errc()) return seed;
+    if (integer || error == std::errc::result_out_of_range) {
+        report_range(reader, value, true, "must be from 0 to 18446744073709551615 (2^64 - 1)");
+    } else {
         report_type(reader, value, Kind::seed.words);
-        return std::nullopt;
     }
-    if (seed.fits) return seed.value;
-    report_range(reader, value, true, std::string(seed_bounds));
     return std::nullopt;
 }
 
@@ -147,8 +127,7 @@ std::optional<FieldValue> read_gains(const Reader& reader, const Value& value) {
     if (!octave_list(reader, value)) return std::nullopt;
     std::optional<std::vector<double>> gains = read_numbers(reader, value);
     if (!gains) return std::nullopt;
-    const bool all_zero = std::ranges::all_of(*gains, [](double g) { return g == 0; });
-    if (!all_zero) return gains;
+    if (std::ranges::any_of(*gains, [](double gain) { return gain != 0; })) return gains;
     report_range(reader, value, true, "at least one gain must be above 0");
     return std::nullopt;
 }

@@ -133,14 +133,7 @@ std::optional<FieldValue> read_wavelengths(const Reader& reader, const Value& va
         const std::size_t dots = text->find("..");
         if (dots != std::string::npos) return read_range(reader, value, *text, dots);
     }
-    std::optional<std::vector<double>> numbers = read_numbers(reader, value);
-    if (!numbers) return std::nullopt;
-    if (numbers->empty() || numbers->size() > std::size_t{most_wavelengths}) {
-        report_count(reader, value, numbers->size(),
-                     fmt::format("expected one wavelength, or up to {}", most_wavelengths));
-        return std::nullopt;
-    }
-    return std::move(*numbers);
+    return read_one_or_more(reader, value, "wavelength");
 }
 
 }  // namespace skybake::config

@@ -12,7 +12,6 @@
 #include "config/optics/interpolated_table.h"
 
 namespace skybake::config {
-
 namespace {
 
 struct OzoneRow {
@@ -68,6 +67,26 @@ WavelengthRange range_of_rows(std::span<const Row> rows) {
     return {{rows.front().nm / 1e9}, {rows.back().nm / 1e9}};
 }
 
+constexpr double kAvogadro_per_mol = 6.02214076e23;
+constexpr double kAirMolarMass_kg = 28.9644e-3;  // US Standard Atmosphere 1976
+
+// F = (6 + 3 rho) / (6 - 7 rho), solved for rho.
+double depolarization_of(double king) { return 6 * (king - 1) / (3 + 7 * king); }
+
+// Returns the optics of a gas whose refractive index at 15 C and 1013.25 hPa is 1 + refractivity:
+//
+//   sigma = 24 pi^3 nu^4 / N^2 ((n^2 - 1) / (n^2 + 2))^2 F
+GasOptics optics_of(double per_cm, double refractivity, double king) {
+    constexpr double kPerCubicCm = 2.546899e19;  // N
+    const double square = (1 + refractivity) * (1 + refractivity);
+    const double ratio = per_cm * per_cm / kPerCubicCm * (square - 1) / (square + 2);
+    constexpr double kCubeOfPi = std::numbers::pi * std::numbers::pi * std::numbers::pi;
+    return {.scattering_m2 = 24 * kCubeOfPi * ratio * ratio * king * 1e-4,
+            .depolarization = depolarization_of(king)};
+}
+
+double wave_number_per_cm(Length wavelength) { return 0.01 / wavelength.meters; }
+
 }  // namespace
 
 std::span<const Gas> all_gases() {
@@ -99,13 +118,6 @@ GasOptics gas_optics(Gas gas, Length wavelength, double temperature_K) {
             .depolarization = rayleigh_depolarization(wavelength)};
 }
 
-namespace {
-
-constexpr double kAvogadro_per_mol = 6.02214076e23;
-constexpr double kAirMolarMass_kg = 28.9644e-3;  // US Standard Atmosphere 1976
-
-}  // namespace
-
 double air_column_per_m2(double pressure_Pa, double gravity_m_per_s2) {
     return pressure_Pa / (gravity_m_per_s2 * kAirMolarMass_kg / kAvogadro_per_mol);
 }
@@ -136,27 +148,6 @@ double king_factor(Length wavelength) {
     return (kNitrogen * nitrogen + kOxygen * oxygen + kArgon * 1.0 + kCarbonDioxide * 1.15) /
            (kNitrogen + kOxygen + kArgon + kCarbonDioxide);
 }
-
-namespace {
-
-// F = (6 + 3 rho) / (6 - 7 rho), solved for rho.
-double depolarization_of(double king) { return 6 * (king - 1) / (3 + 7 * king); }
-
-// Returns the optics of a gas whose refractive index at 15 C and 1013.25 hPa is 1 + refractivity:
-//
-//   sigma = 24 pi^3 nu^4 / N^2 ((n^2 - 1) / (n^2 + 2))^2 F
-GasOptics optics_of(double per_cm, double refractivity, double king) {
-    constexpr double kPerCubicCm = 2.546899e19;  // N
-    const double square = (1 + refractivity) * (1 + refractivity);
-    const double ratio = per_cm * per_cm / kPerCubicCm * (square - 1) / (square + 2);
-    constexpr double kCubeOfPi = std::numbers::pi * std::numbers::pi * std::numbers::pi;
-    return {.scattering_m2 = 24 * kCubeOfPi * ratio * ratio * king * 1e-4,
-            .depolarization = depolarization_of(king)};
-}
-
-double wave_number_per_cm(Length wavelength) { return 0.01 / wavelength.meters; }
-
-}  // namespace
 
 // Sneep & Ubachs 2005, eqs. 10 and 11 (Bates 1984, in two ranges that meet at 468 nm).
 GasOptics nitrogen_optics(Length wavelength) {

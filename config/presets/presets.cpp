@@ -26,28 +26,18 @@ bool is_layer(std::string_view cloud) {
 std::span<const SectionPresets> section_presets() { return kinds; }
 
 const Preset* find_preset(std::span<const Preset> all, std::string_view name) {
-    for (const Preset& preset : all) {
-        if (preset.name == name) return &preset;
-    }
-    return nullptr;
+    const auto found = std::ranges::find(all, name, &Preset::name);
+    return found == all.end() ? nullptr : &*found;
 }
 
 const Preset* find_preset(std::string_view name) { return find_preset(presets(), name); }
 
-const Preset* find_noise_preset(std::string_view name) {
-    return find_preset(noise_presets(), name);
-}
-
-const Preset* find_cloud_preset(std::string_view name) {
-    return find_preset(cloud_presets(), name);
-}
-
 CloudNoisePreset noise_of_cloud_preset(std::string_view cloud, std::string_view noise) {
-    if (const Preset* own = find_noise_preset(cloud)) return {own, "none"};
-    if (const Preset* named = find_noise_preset(noise)) return {named, "none"};
-    if (noise == "shape" && is_layer(cloud)) return {find_noise_preset("nubis_layer"), "shape"};
-    return {find_noise_preset("nubis_" + std::string(noise)),
-            noise == "detail" ? "detail" : "shape"};
+    const auto find = [](std::string_view name) { return find_preset(noise_presets(), name); };
+    if (const Preset* own = find(cloud)) return {own, "none"};
+    if (const Preset* named = find(noise)) return {named, "none"};
+    if (noise == "shape" && is_layer(cloud)) return {find("nubis_layer"), "shape"};
+    return {find("nubis_" + std::string(noise)), noise == "detail" ? "detail" : "shape"};
 }
 
 const SectionPresets* find_section_presets(std::string_view name) {
@@ -64,14 +54,6 @@ std::vector<std::string_view> preset_names(std::span<const Preset> all) {
 }
 
 std::vector<std::string_view> preset_names() { return preset_names(presets()); }
-
-std::vector<std::string_view> noise_preset_names() { return preset_names(noise_presets()); }
-
-std::vector<std::string_view> cloud_preset_names() { return preset_names(cloud_presets()); }
-
-std::vector<std::string_view> particle_preset_names() { return preset_names(particle_presets()); }
-
-std::vector<std::string_view> layer_preset_names() { return preset_names(layer_presets()); }
 
 std::string preset_comment(const Preset& preset) {
     std::string comment;

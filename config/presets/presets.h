@@ -36,8 +36,6 @@ std::span<const SectionPresets> section_presets();
 // These return null if there is no preset of that name.
 const Preset* find_preset(std::span<const Preset> all, std::string_view name);
 const Preset* find_preset(std::string_view name);
-const Preset* find_noise_preset(std::string_view name);
-const Preset* find_cloud_preset(std::string_view name);
 
 // This is the noise preset that goes with a cloud preset's noise of a given name. It is the noise
 // preset of the cloud's own name, or of the noise's name, or nubis_layer for the shape
@@ -54,10 +52,6 @@ const SectionPresets* find_section_presets(std::string_view name);
 
 std::vector<std::string_view> preset_names(std::span<const Preset> all);
 std::vector<std::string_view> preset_names();
-std::vector<std::string_view> noise_preset_names();
-std::vector<std::string_view> cloud_preset_names();
-std::vector<std::string_view> particle_preset_names();
-std::vector<std::string_view> layer_preset_names();
 
 // Returns the comment at the preset's head without its `#`. Paragraphs have an empty line between them.
 std::string preset_comment(const Preset& preset);

@@ -185,8 +185,7 @@ std::optional<std::string> explain(std::string_view what) {
         for (const Field& field : section.fields) {
             Names pattern = names_of(section.path);
             pattern.emplace_back(field.key);
-            const bool fits =
-                asked.empty() || is_free(asked.back()) ? false : tail_fits(asked, pattern, section);
+            const bool fits = !is_free(asked.back()) && tail_fits(asked, pattern, section);
             if (fits) append_block(text, explain_field(section, field));
         }
     }

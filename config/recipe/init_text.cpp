@@ -9,6 +9,7 @@
 #include "config/diagnostics/diagnostic.h"
 #include "config/diagnostics/toml_source.h"
 #include "config/fields/fields.h"
+#include "config/fields/section_decoder.h"
 #include "config/sections/towers.h"
 #include "config/text/key_path.h"
 #include "config/text/text.h"
@@ -34,13 +35,9 @@ std::string head(const Preset& preset, std::string_view full_name) {
 // Returns what the table, or else the default, chooses for a selector such as `profile`.
 std::string selected_name(const Section& section, const Table& table, std::string_view selector) {
     const Entry* entry = find_entry(table, selector);
-    if (entry) {
-        const auto* text = std::get_if<std::string>(&entry->value.data);
-        return text ? *text : "";
-    }
-    const Field* field = find_field(section, selector);
-    const std::optional<Value> fallback = field ? parse_toml_value(field->fallback) : std::nullopt;
-    const auto* text = fallback ? std::get_if<std::string>(&fallback->data) : nullptr;
+    const std::optional<Value> value =
+        entry ? entry->value : parse_toml_value(find_field(section, selector)->fallback);
+    const auto* text = value ? std::get_if<std::string>(&value->data) : nullptr;
     return text ? *text : "";
 }
 
@@ -60,9 +57,7 @@ bool is_at_default(const Field& field, const Section& section, const Table& tabl
     const bool is_matter = std::ranges::any_of(
         matter_keys, [&](auto key) { return find_entry(table, key) != nullptr; });
     if (field.key == "scattering" && is_matter) return false;
-    return std::ranges::none_of(section.fields, [&](const Field& other) {
-        return exclude_each_other(field, other) && find_entry(table, other.key);
-    });
+    return !is_excluded(field, section, table);
 }
 
 // Writes a key with its meaning beside it, or above it where there is no room.
@@ -119,9 +114,7 @@ std::vector<const Entry*> named_tables(const Table& table, std::string_view key)
     const Table* below = find_table(table, key);
     if (!below) return entries;
     for (const Entry& entry : *below) entries.push_back(&entry);
-    std::ranges::sort(entries, [](const Entry* a, const Entry* b) {
-        return a->key_place.line < b->key_place.line;
-    });
+    std::ranges::sort(entries, {}, [](const Entry* entry) { return entry->key_place.line; });
     return entries;
 }
 
@@ -149,11 +142,11 @@ std::string bakes_text(const Table& root) {
     return last ? text + files_text(*last) : text;
 }
 
-std::optional<Table> parse_preset(const Preset& preset) {
+Table parse_preset(const Preset& preset) {
     const Source source{Source::Kind::preset, 0, std::string(preset.name),
                         std::string(preset.text)};
     DiagnosticList none_expected;
-    return parse_toml(source, none_expected);
+    return parse_toml(source, none_expected).value();
 }
 
 // Writes what can be overridden in each channel, which is the keys that the preset gives.
@@ -220,10 +213,10 @@ std::string preview_text(const Table& cloud) {
     const Table* preview = find_table(cloud, "preview");
     if (!preview) return "";
     std::string text = table_text(*find_section("preview"), "preview", *preview);
-    const Entry* camera = find_entry(*preview, "camera");
+    const Table* camera = find_table(*preview, "camera");
     if (!camera) return text;
     return text + '\n' + "[preview.camera]\n" +
-           section_text(*find_section("preview.camera"), std::get<Table>(camera->value.data));
+           section_text(*find_section("preview.camera"), *camera);
 }
 
 std::string bakes_of_cloud(const std::string& name) {
@@ -253,41 +246,38 @@ std::string noise_init_name(std::string_view preset) {
 }
 
 std::string noise_init_text(const Preset& preset) {
-    const std::optional<Table> keys = parse_preset(preset);
-    if (!keys) return std::string(preset.text);
+    const Table keys = parse_preset(preset);
     const std::string name = noise_init_name(preset.name);
     const std::string path = join_path("noise", name);
     const Section& bake = *find_section("bake.*", "noise_volume");
     std::string text = head(preset, preset.name);
-    text += section_from_preset(*find_section("noise.*"), path, preset.name, *keys);
-    text += commented_channels(*keys, path);
+    text += section_from_preset(*find_section("noise.*"), path, preset.name, keys);
+    text += commented_channels(keys, path);
     text += table_text(bake, join_path("bake", name), bake_of_noise(preset.name, name));
     text += files_text(bake);
     return text + sweep_text(join_path(path, "seed"), "[1, 2, 3]");
 }
 
 std::string cloud_init_text(const Preset& preset) {
-    std::optional<Table> keys = parse_preset(preset);
-    if (!keys) return std::string(preset.text);
-    name_listed_towers_of_cloud(*keys);
+    Table keys = parse_preset(preset);
+    name_listed_towers_of_cloud(keys);
     const std::string name(preset.name);
     const std::string path = join_path("clouds", name);
     std::string text = head(preset, "clouds." + name);
-    text += section_from_preset(*find_section("clouds.*"), path, preset.name, *keys);
-    text += commented_tables(*keys, path);
-    text += preview_text(*keys);
+    text += section_from_preset(*find_section("clouds.*"), path, preset.name, keys);
+    text += commented_tables(keys, path);
+    text += preview_text(keys);
     text += bakes_of_cloud(name);
     return text + sweep_text(join_path(path, "cover"), "{ from = 0.1, to = 0.4, count = 4 }");
 }
 
 std::string particle_init_text(const Preset& preset) {
-    const std::optional<Table> keys = parse_preset(preset);
-    if (!keys) return std::string(preset.text);
+    const Table keys = parse_preset(preset);
     const std::string name(preset.name);
     const Section& bake = *find_section("bake.*", "phase");
     std::string text = head(preset, name);
-    text += section_from_preset(*find_section("particles.*"), join_path("particles", name), name,
-                                *keys);
+    text +=
+        section_from_preset(*find_section("particles.*"), join_path("particles", name), name, keys);
     text += table_text(bake, join_path("bake", name),
                        {text_entry("asset", "phase"), text_entry("particles", name)});
     text += table_text(bake, join_path("bake", name + "_sampling"),
@@ -303,20 +293,18 @@ std::string particle_init_text(const Preset& preset) {
 }
 
 std::string init_text(const Preset& preset) {
-    const std::optional<Table> root = parse_preset(preset);
-    if (!root) return std::string(preset.text);
+    const Table root = parse_preset(preset);
     std::string text = head(preset, preset.name) + '\n';
-    text += section_text(*find_section(""), *root);
-    for (const Entry* kind : named_tables(*root, "particles")) {
+    text += section_text(*find_section(""), root);
+    for (const Entry* kind : named_tables(root, "particles")) {
         text += table_text(*find_section("particles.*"), join_path("particles", kind->key),
                            std::get<Table>(kind->value.data));
     }
-    const Entry* atmosphere = find_entry(*root, "atmosphere");
-    if (const Table* table = atmosphere ? as_table(atmosphere->value) : nullptr) {
+    if (const Table* table = find_table(root, "atmosphere")) {
         text += table_text(*find_section("atmosphere"), "atmosphere", *table);
         text += layers_text(*table);
     }
-    text += bakes_text(*root);
+    text += bakes_text(root);
     return text + sweep_text("atmosphere.ground_albedo", "{ from = 0, to = 0.6, count = 4 }");
 }
 

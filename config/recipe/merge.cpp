@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "config/fields/fields.h"
+#include "config/fields/section_decoder.h"
 #include "config/text/key_path.h"
 
 namespace skybake::config {
@@ -36,9 +37,7 @@ const Section* section_of(const Names& names, const Table& table) {
 
 // Whether `over` drops the earlier value of this field because of the keys that it names.
 bool is_dropped(const Field& field, const Section& section, const Table& over) {
-    for (const Field& other : section.fields) {
-        if (exclude_each_other(field, other) && find_entry(over, other.key)) return true;
-    }
+    if (is_excluded(field, section, over)) return true;
     const std::string* needed = field.needs.empty() ? nullptr : find_text(over, field.needs);
     if (needed && needed->empty()) return true;
     if (field.selector.empty()) return false;
@@ -105,9 +104,7 @@ void merge_at(Table& base, const Table& over, Names& names);
 
 void merge_entry(Table& base, std::size_t known, const Entry& entry, Names& names) {
     const auto end = base.begin() + static_cast<std::ptrdiff_t>(known);
-    const auto place =
-        std::lower_bound(base.begin(), end, entry.key,
-                         [](const Entry& a, const std::string& key) { return a.key < key; });
+    const auto place = std::ranges::lower_bound(base.begin(), end, entry.key, {}, &Entry::key);
     if (place == end || place->key != entry.key) {
         base.push_back(entry);
         return;
@@ -131,17 +128,13 @@ void merge_at(Table& base, const Table& over, Names& names) {
     }
     const std::size_t known = base.size();
     for (const Entry& entry : over) merge_entry(base, known, entry, names);
-    std::inplace_merge(base.begin(), base.begin() + static_cast<std::ptrdiff_t>(known), base.end(),
-                       [](const Entry& a, const Entry& b) { return a.key < b.key; });
-}
-
-bool stands_before(const Place& a, const Place& b) {
-    return a.line != b.line ? a.line < b.line : a.column < b.column;
+    std::ranges::inplace_merge(base, base.begin() + static_cast<std::ptrdiff_t>(known), {},
+                               &Entry::key);
 }
 
 void report_pair(const Entry& first, const Entry& second, const std::string& path,
                  DiagnosticList& diagnostics) {
-    const bool in_order = stands_before(first.key_place, second.key_place);
+    const bool in_order = reading_order(first.key_place) < reading_order(second.key_place);
     const Entry& earlier = in_order ? first : second;
     const Entry& later = in_order ? second : first;
     const std::string said =
@@ -182,11 +175,6 @@ void check_at(const Table& table, Names& names, const std::string& path,
     }
 }
 
-Table* table_at(Table& parent, std::string_view key) {
-    Entry* entry = find_entry(parent, key);
-    return entry ? std::get_if<Table>(&entry->value.data) : nullptr;
-}
-
 // Renames the keys of a layer of particles. Any other layer stays as it is, so that its fault is
 // reported.
 void name_particles(Table& layer) {
@@ -201,6 +189,10 @@ void name_particles(Table& layer) {
 }
 
 }  // namespace
+
+Table* table_at(Table& parent, std::string_view key) {
+    return const_cast<Table*>(find_table(parent, key));
+}
 
 void merge(Table& base, const Table& over) {
     Names names;

@@ -9,11 +9,15 @@
 #pragma once
 
 #include <deque>
+#include <string_view>
 
 #include "config/diagnostics/diagnostic.h"
 #include "config/text/value_tree.h"
 
 namespace skybake::config {
+
+// Returns the table under a key, or null.
+Table* table_at(Table& parent, std::string_view key);
 
 // Lays `over` over `base`.
 void merge(Table& base, const Table& over);

@@ -85,8 +85,7 @@ bool is_taken(const Entry& entry) {
 void take_keys_of_cloud(const Table& root, Table& keys) {
     const std::string* name = find_text(keys, "cloud");
     const Table* all = find_table(root, "clouds");
-    const Entry* cloud = name && all ? find_entry(*all, *name) : nullptr;
-    const Table* of_cloud = cloud ? as_table(cloud->value) : nullptr;
+    const Table* of_cloud = name && all ? find_table(*all, *name) : nullptr;
     if (!of_cloud) return;
     Table taken;
     for (const std::string_view key : {"cover", "size"}) {
@@ -101,8 +100,7 @@ void take_keys_of_cloud(const Table& root, Table& keys) {
 // Returns the kind of presets that the bake's `preset` is one of, or null.
 const SectionPresets* swapped_with(const Entry& bake) {
     const Table* keys = as_table(bake.value);
-    const Entry* preset = keys ? find_entry(*keys, "preset") : nullptr;
-    const auto* name = preset ? std::get_if<std::string>(&preset->value.data) : nullptr;
+    const std::string* name = keys ? find_text(*keys, "preset") : nullptr;
     return name ? find_section_presets(*name) : nullptr;
 }
 
@@ -117,16 +115,14 @@ void report_swapped(const Entry& bake, const SectionPresets& kind, DiagnosticLis
 }  // namespace
 
 bool name_bakes_of_sections(Table& root, DiagnosticList& diagnostics) {
-    Entry* const entry = find_entry(root, "bake");
-    auto* const bakes = entry ? std::get_if<Table>(&entry->value.data) : nullptr;
+    Table* const bakes = table_at(root, "bake");
     if (!bakes) return true;
     const std::size_t count = bakes->size();
     std::erase_if(*bakes, [&](const Entry& bake) {
         const SectionPresets* kind = swapped_with(bake);
         if (!kind) return false;
         report_swapped(bake, *kind, diagnostics);
-        Entry* const others = find_entry(root, kind->section);
-        auto* const named = others ? std::get_if<Table>(&others->value.data) : nullptr;
+        Table* const named = table_at(root, kind->section);
         if (named) std::erase_if(*named, [&](const Entry& e) { return e.key == bake.key; });
         return true;
     });

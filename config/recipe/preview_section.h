@@ -6,19 +6,17 @@
 #include <span>
 
 #include "config/fields/section_decoder.h"
-#include "config/recipe/recipe.h"
+#include "config/sections/parameters.h"
 #include "config/sections/preview.h"
 
 namespace skybake::config {
 
-// Decodes [preview] and [preview.camera] and appends their values. It reports a camera below the
-// ground (E0110), and a time or half of a place without the rest of the place (E0105).
-void decode_preview(const Table& root, Decoder& decoder);
+// Decodes [preview] and [preview.camera] and appends their values. Returns none if the recipe has no such
+// values. It reports a camera below the ground (E0110), and a time or half of a place without the rest
+// of the place (E0105).
+std::optional<Preview> decode_preview(const Table& root, Decoder& decoder);
 
 // Returns the pictures of light that previews of these bakes have.
 PicturesOfLight pictures_of_light(std::span<const Bake> bakes);
-
-// Returns what the recipe's [preview] says, or none if it has no such section.
-std::optional<Preview> preview_of(const Recipe& recipe);
 
 }  // namespace skybake::config

@@ -10,6 +10,7 @@
 #include "config/assets/cloud_volume.h"
 #include "config/diagnostics/toml_source.h"
 #include "config/recipe/merge.h"
+#include "config/recipe/preview_section.h"
 #include "config/recipe/recipe_decoder.h"
 #include "config/recipe/recipe_sources.h"
 #include "config/sections/volume.h"
@@ -66,6 +67,7 @@ Outcome<Recipe> decode_sources(RecipeSources sources, SweepTable sweep,
     if (merged.file) {
         Decoder decoder{diagnostics, recipe.values, merged.complete, std::nullopt};
         recipe.parameters = decode_recipe(merged.root, *merged.file, decoder);
+        recipe.preview = decode_preview(merged.root, decoder);
         if (sweep == SweepTable::read) {
             Decoder of_sweep{diagnostics, recipe.sweep_values, merged.complete, decoder.channels};
             recipe.sweep = decode_sweep(merged.root, of_sweep);
@@ -81,35 +83,17 @@ Outcome<Recipe> decode_sources(RecipeSources sources, SweepTable sweep,
 
 // The functions below make the texts of parameters_toml (recipe.h).
 
-// This is the path of the table that holds a key, and the key itself.
-struct SplitPath {
-    std::string table;
-    std::string key;
-};
-
-SplitPath split_last(const std::string& path) {
-    SplitPath result;
-    for (const std::string& name : split_path(path).value_or(std::vector<std::string>{})) {
-        if (!result.key.empty()) {
-            result.table = result.table.empty() ? result.key : result.table + '.' + result.key;
-        }
-        result.key = key_to_string(name);
-    }
-    return result;
-}
-
 template <class IsWanted>
 std::string toml_of(const Recipe& recipe, const IsWanted& is_wanted) {
     std::string text;
     std::string table;
     for (const ResolvedValue& value : recipe.values) {
         if (value.only_shown || !is_wanted(value)) continue;
-        const SplitPath path = split_last(value.path);
-        if (path.table != table) {
-            table = path.table;
+        if (value.section != table) {
+            table = value.section;
             text += (text.empty() ? "[" : "\n[") + table + "]\n";
         }
-        text += path.key + " = " + value.canonical + '\n';
+        text += key_of(value) + " = " + value.canonical + '\n';
     }
     return text;
 }

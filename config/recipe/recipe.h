@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -11,12 +12,14 @@
 #include "config/diagnostics/diagnostic.h"
 #include "config/fields/roles.h"
 #include "config/sections/parameters.h"
+#include "config/sections/preview.h"
 #include "config/sweep/sweep.h"
 
 namespace skybake::config {
 
 struct Recipe {
     Parameters parameters;
+    std::optional<Preview> preview;             // how pictures show the recipe
     std::vector<ResolvedValue> values;          // in the order of the field tables, layers by name
     std::vector<std::filesystem::path> inputs;  // recipe, includes, maps: for dependency files
     Sweep sweep;                                // what [sweep] varies

@@ -9,27 +9,25 @@
 #include "config/fields/fields.h"
 #include "config/fields/wavelength_reader.h"
 #include "config/optics/ground_spectra.h"
-#include "config/recipe/preview_section.h"
 #include "config/sections/sections.h"
 #include "config/sections/spectral_air.h"
 #include "config/sweep/sweep.h"
 #include "config/text/key_path.h"
-#include "config/text/units.h"
+#include "config/text/mapped.h"
 
 namespace skybake::config {
 namespace {
 
 void check_radii(const DecodedSection& atmosphere, Decoder& decoder) {
-    const DecodedField& ground = atmosphere.at("ground_radius");
-    const DecodedField& top = atmosphere.at("top_radius");
-    if (!ground.value || !top.value) return;
-    const double low = std::get<double>(*ground.value);
-    const double high = std::get<double>(*top.value);
-    if (high > low) return;
-    decoder.diagnostics.error("E0113", top.source->place,
-                              fmt::format("`atmosphere.top_radius` is not above ground_radius: {}",
-                                          value_to_string(*top.source)),
-                              fmt::format("must be above {}", value_to_string(*ground.source)));
+    const std::optional<double> low = atmosphere.number("ground_radius");
+    const std::optional<double> high = atmosphere.number("top_radius");
+    if (!low || !high || *high > *low) return;
+    const auto written = [&](std::string_view key) {
+        return value_to_string(*atmosphere.at(key).source);
+    };
+    decoder.report("E0113", atmosphere, "top_radius",
+                   fmt::format("is not above ground_radius: {}", written("top_radius")),
+                   fmt::format("must be above {}", written("ground_radius")));
 }
 
 void decode_layers(const Table& atmosphere, const Parameters& recipe, Atmosphere& result,
@@ -37,8 +35,7 @@ void decode_layers(const Table& atmosphere, const Parameters& recipe, Atmosphere
     for (const Entry& entry : subtable(atmosphere, "layers", "atmosphere", decoder)) {
         const Table* table = named_table(entry, "atmosphere.layers", decoder);
         if (!table) continue;
-        std::optional<Layer> layer =
-            decode_layer(entry.key, entry.key_place, *table, recipe, decoder);
+        std::optional<Layer> layer = decode_layer(entry, recipe, decoder);
         if (!layer) continue;
         const Length thickness{result.top_radius.meters - result.ground_radius.meters};
         std::string fault;
@@ -63,15 +60,12 @@ void decode_layers(const Table& atmosphere, const Parameters& recipe, Atmosphere
 void bind_ground(const DecodedField& albedo, std::span<const Length> wavelengths,
                  Atmosphere& result) {
     if (!albedo.value) return;
-    if (const auto* numbers = std::get_if<std::vector<double>>(&*albedo.value)) {
+    if (const auto* numbers = albedo.as<std::vector<double>>()) {
         result.ground_albedo = *numbers;
         return;
     }
-    if (const auto* pairs = std::get_if<std::vector<SpectrumPoint>>(&*albedo.value)) {
-        result.ground_spectrum = *pairs;
-    } else {
-        result.ground_spectrum = spectrum_of(*choice_of<Ground>(albedo));
-    }
+    const auto* pairs = albedo.as<std::vector<SpectrumPoint>>();
+    result.ground_spectrum = pairs ? *pairs : spectrum_of(*choice_of<Ground>(albedo));
     for (const Length wavelength : wavelengths) {
         result.ground_albedo.push_back(albedo_at(result.ground_spectrum, wavelength));
     }
@@ -84,12 +78,9 @@ Atmosphere decode_atmosphere(const Table& root, const Parameters& recipe, Decode
     if (!entry) return result;
     const Table& table = subtable(root, "atmosphere", "", decoder);
     if (!as_table(entry->value)) return result;
-    const DecodedSection section =
-        decode_section(*find_section("atmosphere"), "atmosphere", entry->key_place, table,
-                       Absent::filled_in, decoder);
+    const DecodedSection section = decode_into(result, atmosphere_fields(), "atmosphere",
+                                               "atmosphere", entry->key_place, table, decoder);
     check_radii(section, decoder);
-    append_values(section, decoder);
-    bind_section(section, atmosphere_fields(), result);
     bind_ground(section.at("ground_albedo"), recipe.wavelengths, result);
     decode_layers(table, recipe, result, decoder);
     return result;
@@ -103,53 +94,32 @@ std::optional<Color> decode_color(const Table& root, Decoder& decoder) {
         return std::nullopt;
     }
     const Place place = entry ? entry->key_place : wavelengths->key_place;
-    const DecodedSection section =
-        decode_section(*find_section("color"), "color", place, subtable(root, "color", "", decoder),
-                       Absent::filled_in, decoder);
-    append_values(section, decoder);
     Color color;
-    bind_section(section, color_fields(), color);
+    decode_into(color, color_fields(), "color", "color", place,
+                subtable(root, "color", "", decoder), decoder);
     return color;
 }
 
 std::optional<Scene> decode_scene(const Table& root, Decoder& decoder) {
     const Entry* entry = find_entry(root, "scene");
     if (!entry) return std::nullopt;
-    const Table& table = subtable(root, "scene", "", decoder);
-    const DecodedSection section = decode_section(*find_section("scene"), "scene", entry->key_place,
-                                                  table, Absent::filled_in, decoder);
-    append_values(section, decoder);
     Scene scene;
-    bind_section(section, scene_fields(), scene);
+    decode_into(scene, scene_fields(), "scene", "scene", entry->key_place,
+                subtable(root, "scene", "", decoder), decoder);
     return scene;
 }
 
-// Decodes the tables of [section.NAME] with decode(name, place, table). An entry that is not a table still
-// counts, so that others may name it.
+// Decodes the entries of [section.NAME] that are tables with decode(entry). Another entry still counts, so
+// that others may name it.
 template <class Named, class Decode>
 std::vector<Named> decode_named(const Table& root, const std::string& section, Decoder& decoder,
                                 const Decode& decode) {
     std::vector<Named> all;
     for (const Entry& entry : subtable(root, section, "", decoder)) {
-        const Table* table = named_table(entry, section, decoder);
-        all.push_back(table ? decode(entry.key, entry.key_place, *table) : Named{});
+        all.push_back(named_table(entry, section, decoder) ? decode(entry) : Named{});
         all.back().name = entry.key;
     }
     return all;
-}
-
-std::vector<VolumeFile> decode_volumes(const Table& root, std::vector<Place>& file_places,
-                                       Decoder& decoder) {
-    std::vector<VolumeFile> volumes;
-    for (const Entry& entry : subtable(root, "volumes", "", decoder)) {
-        const Table* table = named_table(entry, "volumes", decoder);
-        Place& file_place = file_places.emplace_back();
-        volumes.push_back(
-            table ? decode_volume(entry.key, entry.key_place, *table, file_place, decoder)
-                  : VolumeFile{});
-        volumes.back().name = entry.key;
-    }
-    return volumes;
 }
 
 // Reports a missing atmosphere. The assets of the sky need one, and an empty recipe was probably
@@ -214,9 +184,7 @@ std::vector<Bake> decode_bakes_of_channels(const Table& root, const Parameters& 
 template <class S>
 Section make_section(std::string_view path, std::string_view documentation,
                      std::span<const Row<S>> rows) {
-    Section section{path, "", documentation, {}};
-    for (const Row<S>& row : rows) section.fields.push_back(row.field);
-    return section;
+    return {path, "", documentation, mapped<Field>(rows, &Row<S>::field)};
 }
 
 // Makes a section of keys that do not fill the members of a struct.
@@ -264,33 +232,27 @@ std::vector<Section> make_sections() {
 
 Parameters decode_recipe(const Table& root, const Source& source, Decoder& decoder) {
     Parameters parameters;
-    const DecodedSection section =
-        decode_section(*find_section(""), "", {&source}, root, Absent::filled_in, decoder);
-    append_values(section, decoder);
-    bind_section(section, root_fields(), parameters);
+    decode_into(parameters, root_fields(), "", "", {&source}, root, decoder);
     if (!parameters.wavelengths.empty()) {
         decoder.channels = static_cast<int>(parameters.wavelengths.size());
     }
     parameters.color = decode_color(root, decoder);
-    parameters.particles = decode_named<Particles>(
-        root, "particles", decoder, [&](const auto& name, const Place& place, const Table& table) {
-            return decode_particles(name, place, table, parameters.wavelengths, decoder);
+    parameters.particles =
+        decode_named<Particles>(root, "particles", decoder, [&](const Entry& entry) {
+            return decode_particles(entry, parameters.wavelengths, decoder);
         });
     parameters.atmosphere = decode_atmosphere(root, parameters, decoder);
     parameters.scene = decode_scene(root, decoder);
     parameters.noises = decode_named<Noise>(
-        root, "noise", decoder, [&](const auto& name, const Place& place, const Table& table) {
-            return decode_noise(name, place, table, decoder);
-        });
-    std::vector<Place> volume_files;
-    parameters.volumes = decode_volumes(root, volume_files, decoder);
-    const CloudSources sources = {parameters.noises, parameters.volumes, volume_files};
-    parameters.clouds = decode_named<Cloud>(
-        root, "clouds", decoder, [&](const auto& name, const Place& place, const Table& table) {
-            return decode_cloud(name, place, table, sources, decoder);
-        });
+        root, "noise", decoder, [&](const Entry& entry) { return decode_noise(entry, decoder); });
+    parameters.volumes =
+        decode_named<VolumeFile>(root, "volumes", decoder,
+                                 [&](const Entry& entry) { return decode_volume(entry, decoder); });
+    const CloudSources sources = {parameters.noises, parameters.volumes, root};
+    parameters.clouds = decode_named<Cloud>(root, "clouds", decoder, [&](const Entry& entry) {
+        return decode_cloud(entry, sources, decoder);
+    });
     parameters.bakes = decode_bakes_of_channels(root, parameters, decoder);
-    decode_preview(root, decoder);
     check_atmosphere(root, parameters, source, decoder);
     check_wavelengths(root, parameters, source, decoder);
     return parameters;

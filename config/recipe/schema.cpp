@@ -99,7 +99,7 @@ Json noise_schema() {
     Json channels = Json::object();
     for (const char* name : {"R", "G", "B", "A", "Y"}) channels[name] = reference("noise_channel");
     Json schema = section_schema(*find_section("noise.*"));
-    schema["properties"]["preset"]["examples"] = noise_preset_names();
+    schema["properties"]["preset"]["examples"] = preset_names(noise_presets());
     schema["properties"]["channels"] = {
         {"type", "object"},
         {"description", "the channels R alone; R, G, B; R, G, B, A; or Y alone"},
@@ -130,7 +130,7 @@ Json towers_schema() {
 Json cloud_schema() {
     Json schema = section_schema(*find_section("clouds.*"));
     Json& properties = schema["properties"];
-    properties["preset"]["examples"] = cloud_preset_names();
+    properties["preset"]["examples"] = preset_names(cloud_presets());
     for (const std::string_view name : subtables("clouds.*")) {
         if (name == "towers") continue;
         properties[std::string(name)] =
@@ -151,7 +151,7 @@ Json sweep_schema() {
 // Describes a layer. Its phase function is a name, or { mie = "NAME" } of particles.
 Json layer_schema() {
     Json schema = section_schema(*find_section("atmosphere.layers.*"));
-    schema["properties"]["preset"]["examples"] = layer_preset_names();
+    schema["properties"]["preset"]["examples"] = preset_names(layer_presets());
     Json& phase = schema["properties"]["phase"];
     const Json named = {{"type", "object"},
                         {"properties", {{"mie", {{"type", "string"}}}}},
@@ -170,7 +170,7 @@ Json definitions() {
     result["noise"] = noise_schema();
     result["noise_channel"] = section_schema(*find_section("noise.*.channels.*"));
     result["particles"] = section_schema(*find_section("particles.*"));
-    result["particles"]["properties"]["preset"]["examples"] = particle_preset_names();
+    result["particles"]["properties"]["preset"]["examples"] = preset_names(particle_presets());
     result["layer"] = layer_schema();
     for (const std::string_view asset : asset_names()) {
         result[std::string(asset)] = section_schema(*find_section("bake.*", asset));

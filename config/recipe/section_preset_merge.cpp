@@ -157,15 +157,14 @@ std::string brought_noise(const Table& root, const std::string& cloud,
 // that name.
 void lay_over_noises_of_clouds(Table& root, std::deque<Source>& sources,
                                DiagnosticList& diagnostics) {
-    Entry* const entry = find_entry(root, "clouds");
-    Table* const clouds = entry ? std::get_if<Table>(&entry->value.data) : nullptr;
+    Table* const clouds = table_at(root, "clouds");
     if (!clouds) return;
     Table base;
     BroughtNoises brought;
     for (Entry& cloud : *clouds) {
         Table* const table = std::get_if<Table>(&cloud.value.data);
         const std::string* preset = table ? find_text(*table, "preset") : nullptr;
-        if (!preset || !find_cloud_preset(*preset)) continue;
+        if (!preset || !find_preset(cloud_presets(), *preset)) continue;
         for (const std::string_view key : {"noise", "detail"}) {
             Entry* const named = find_entry(*table, key);
             auto* const name = named ? std::get_if<std::string>(&named->value.data) : nullptr;

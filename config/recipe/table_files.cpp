@@ -21,6 +21,7 @@
 #include <utility>
 
 #include "config/fields/section_decoder.h"
+#include "config/recipe/merge.h"
 #include "config/recipe/recipe_sources.h"
 #include "config/text/key_path.h"
 #include "config/text/text.h"
@@ -210,10 +211,8 @@ Array placeholder() {
 
 void read_table_files(Table& root, const fs::path& folder, std::vector<fs::path>& inputs,
                       DiagnosticList& diagnostics) {
-    Entry* atmosphere = find_entry(root, "atmosphere");
-    auto* of_air = atmosphere ? std::get_if<Table>(&atmosphere->value.data) : nullptr;
-    Entry* named = of_air ? find_entry(*of_air, "layers") : nullptr;
-    auto* layers = named ? std::get_if<Table>(&named->value.data) : nullptr;
+    Table* atmosphere = table_at(root, "atmosphere");
+    Table* layers = atmosphere ? table_at(*atmosphere, "layers") : nullptr;
     if (!layers) return;
     for (Entry& entry : *layers) {
         auto* layer = std::get_if<Table>(&entry.value.data);

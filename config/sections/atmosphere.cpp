@@ -48,9 +48,7 @@ double tabulated_column(const std::vector<DensityPoint>& table, double thickness
     return column;
 }
 
-const std::vector<double>* numbers_of(const DecodedField& decoded) {
-    return decoded.value ? std::get_if<std::vector<double>>(&*decoded.value) : nullptr;
-}
+using Numbers = std::vector<double>;  // one per channel
 
 // Returns the place of a channel's value within its list.
 Place channel_place(const Value& value, std::size_t channel) {
@@ -66,8 +64,8 @@ std::string channel_name(std::size_t channel, std::size_t channels) {
 
 void check_extinction(const DecodedSection& layer, Decoder& decoder) {
     const DecodedField& extinction = layer.at("extinction");
-    const std::vector<double>* lower = numbers_of(layer.at("scattering"));
-    const std::vector<double>* upper = numbers_of(extinction);
+    const auto* lower = layer.value<Numbers>("scattering");
+    const auto* upper = extinction.as<Numbers>();
     if (!lower || !upper || !extinction.source || lower->size() != upper->size()) return;
     for (std::size_t channel = 0; channel < upper->size(); ++channel) {
         if ((*upper)[channel] >= (*lower)[channel]) continue;
@@ -88,16 +86,16 @@ void derive_extinction(DecodedSection& layer, Decoder& decoder) {
     DecodedField& extinction = layer.at("extinction");
     const DecodedField& absorption = layer.at("absorption");
     const DecodedField& albedo = layer.at("single_scattering_albedo");
-    const std::vector<double>* scattering = numbers_of(layer.at("scattering"));
+    const auto* scattering = layer.value<Numbers>("scattering");
     // A source without a value was at fault, which has been reported.
     const bool at_fault =
         (absorption.source && !absorption.value) || (albedo.source && !albedo.value);
     if (extinction.source || at_fault || !scattering) return;
-    std::vector<double> result = *scattering;
-    if (const std::vector<double>* added = numbers_of(absorption)) {
+    Numbers result = *scattering;
+    if (const auto* added = absorption.as<Numbers>()) {
         for (std::size_t i = 0; i < result.size() && i < added->size(); ++i)
             result[i] += (*added)[i];
-    } else if (const std::vector<double>* share = numbers_of(albedo)) {
+    } else if (const auto* share = albedo.as<Numbers>()) {
         for (std::size_t i = 0; i < result.size() && i < share->size(); ++i)
             result[i] /= (*share)[i];
     }
@@ -112,21 +110,17 @@ void derive_extinction(DecodedSection& layer, Decoder& decoder) {
             "must be " + describe_range(*extinction.field));
         return;
     }
-    extinction.value = std::move(result);
-    extinction.derived = true;
+    derive(extinction, std::move(result));
 }
 
 // Checks that the top of a slab is above its bottom.
 void check_slab(const DecodedSection& section, Decoder& decoder) {
-    const DecodedField& bottom = section.at("bottom_altitude");
-    const DecodedField& top = section.at("top_altitude");
-    if (!bottom.value || !top.value || !top.source) return;
-    const double low = std::get<double>(*bottom.value);
-    const double high = std::get<double>(*top.value);
-    if (high > low) return;
+    const std::optional<double> low = section.number("bottom_altitude");
+    const std::optional<double> high = section.number("top_altitude");
+    if (!low || !high || *high > *low) return;
     decoder.report("E0113", section, "top_altitude",
-                   fmt::format("is not above bottom_altitude: {}", length_to_string(high)),
-                   fmt::format("must be above {}", length_to_string(low)));
+                   fmt::format("is not above bottom_altitude: {}", length_to_string(*high)),
+                   fmt::format("must be above {}", length_to_string(*low)));
 }
 
 bool is_switched_off(const Table& table) {
@@ -146,20 +140,15 @@ void decode_switched_off(DecodedSection& section, Decoder& decoder) {
     append_values(section, decoder);
 }
 
-bool is_of_particles(const DecodedSection& layer) {
-    const DecodedField& phase = layer.at("phase");
-    return choice_of<Phase>(phase) == Phase::mie;
-}
-
 // The source of a layer's coefficients: its numbers, [particles.NAME], kinds
 // of spheres, a gas, or an amount of haze.
 enum class Matter { numbers, particles, spheres, gas, aerosol };
 
 Matter matter_of(const DecodedSection& layer) {
-    if (is_of_particles(layer)) return Matter::particles;
-    if (layer.at("aerosol").source || layer.at("components").source) return Matter::spheres;
-    if (layer.at("gas").source) return Matter::gas;
-    const bool is_aerosol = layer.at("optical_depth").source || layer.at("visibility").source;
+    if (choice_of<Phase>(layer.at("phase")) == Phase::mie) return Matter::particles;
+    if (layer.gives("aerosol") || layer.gives("components")) return Matter::spheres;
+    if (layer.gives("gas")) return Matter::gas;
+    const bool is_aerosol = layer.gives("optical_depth") || layer.gives("visibility");
     return is_aerosol ? Matter::aerosol : Matter::numbers;
 }
 
@@ -232,11 +221,6 @@ void scale_table(Matter matter, DecodedSection& layer, Decoder& decoder) {
         "densities are at most 1000000; with a gas or optical_depth only their ratios count");
 }
 
-// Returns the number of a field, or another one if it has none.
-double number_or(const DecodedField& decoded, double other) {
-    return decoded.value ? std::get<double>(*decoded.value) : other;
-}
-
 // The exponent of common haze, the depolarisation of air at 550 nm, and the
 // humidity for which OPAC prints its mixtures.
 constexpr double usual_angstrom_exponent = 1.3;
@@ -264,9 +248,9 @@ void bind_gas(const DecodedSection& section, Decoder& decoder, Layer& layer) {
     amount.gas = choice_of<Gas>(named).value_or(Gas::air);
     if (amount.gas == Gas::air) {
         amount.column = {
-            air_column_per_m2(number_or(section.at("pressure"), kStandardPressure_Pa))};
+            air_column_per_m2(section.number("pressure").value_or(kStandardPressure_Pa))};
     } else {
-        amount.column = {number_or(section.at("column"), 0)};
+        amount.column = {section.number("column").value_or(0)};
     }
     layer.gas = amount;
     const DecodedField& phase = section.at("phase");
@@ -281,9 +265,8 @@ void bind_gas(const DecodedSection& section, Decoder& decoder, Layer& layer) {
 // The extinction at 550 nm of the visibility that the section gives, if it
 // does.
 std::optional<InverseLength> visible_extinction(const DecodedSection& section) {
-    const DecodedField& visibility = section.at("visibility");
-    if (!visibility.value) return std::nullopt;
-    return haze_of_visibility({std::get<double>(*visibility.value)});
+    const std::optional<double> visibility = section.number("visibility");
+    return visibility ? std::optional(haze_of_visibility({*visibility})) : std::nullopt;
 }
 
 // Returns the spheres that an entry of `components` names: those of the recipe
@@ -317,16 +300,15 @@ void report_unknown_component(const DecodedSection& section, std::size_t entry,
 std::vector<SphereKind> bind_components(const DecodedSection& section, double relative_humidity,
                                         const Parameters& recipe, Decoder& decoder) {
     std::vector<SphereKind> kinds;
-    const DecodedField& components = section.at("components");
-    if (!components.value) return kinds;
-    const auto& listed = std::get<std::vector<ComponentNumber>>(*components.value);
-    for (std::size_t i = 0; i < listed.size(); ++i) {
+    const auto* components = section.value<std::vector<ComponentNumber>>("components");
+    if (!components) return kinds;
+    for (std::size_t i = 0; i < components->size(); ++i) {
         std::optional<Particles> spheres =
-            named_spheres(listed[i].component, relative_humidity, recipe);
+            named_spheres((*components)[i].component, relative_humidity, recipe);
         if (spheres) {
-            kinds.push_back({std::move(*spheres), listed[i].number_density});
+            kinds.push_back({std::move(*spheres), (*components)[i].number_density});
         } else if (decoder.complete) {
-            report_unknown_component(section, i, listed[i].component, recipe, decoder);
+            report_unknown_component(section, i, (*components)[i].component, recipe, decoder);
         }
     }
     return kinds;
@@ -340,11 +322,10 @@ void scale_numbers(double total, std::vector<SphereKind>& kinds) {
 }
 
 void bind_amount(const DecodedSection& section, LayerParticles& particles) {
-    const DecodedField& depth = section.at("optical_depth");
-    if (depth.value) particles.optical_depth = std::get<double>(*depth.value);
+    particles.optical_depth = section.number("optical_depth");
     particles.extinction = visible_extinction(section);
-    const DecodedField& number = section.at("number_density");
-    if (number.value) scale_numbers(std::get<double>(*number.value), particles.kinds);
+    const std::optional<double> number = section.number("number_density");
+    if (number) scale_numbers(*number, particles.kinds);
 }
 
 // Swollen spheres of OPAC in humid air, which has 80 % where nothing else is
@@ -352,7 +333,7 @@ void bind_amount(const DecodedSection& section, LayerParticles& particles) {
 void bind_spheres(const DecodedSection& section, const Parameters& recipe, Decoder& decoder,
                   Layer& layer) {
     layer.phase = Phase::mie;
-    const double humidity = number_or(section.at("relative_humidity"), usual_humidity);
+    const double humidity = section.number("relative_humidity").value_or(usual_humidity);
     const std::optional<AerosolMixture> mixture = choice_of<AerosolMixture>(section.at("aerosol"));
     layer.particles.kinds = mixture ? kinds_of(*mixture, humidity)
                                     : bind_components(section, humidity, recipe, decoder);
@@ -373,8 +354,8 @@ void bind_particles(const DecodedSection& section, const Parameters& recipe, Dec
     const Particles* particles =
         find_named(section, "particles", std::span<const Particles>(recipe.particles),
                    particles_reference, decoder);
-    const bool has_amount = section.at("optical_depth").source || section.at("visibility").source ||
-                            section.at("number_density").source;
+    const bool has_amount = section.gives("optical_depth") || section.gives("visibility") ||
+                            section.gives("number_density");
     if (!has_amount && decoder.complete) report_missing_amount(section, decoder);
     if (!particles) return;
     layer.particles.kinds = {{*particles, {1}}};
@@ -384,9 +365,8 @@ void bind_particles(const DecodedSection& section, const Parameters& recipe, Dec
 
 void bind_aerosol(const DecodedSection& section, Decoder& decoder, Layer& layer) {
     AerosolLaw law;
-    law.angstrom_exponent = number_or(section.at("angstrom_exponent"), usual_angstrom_exponent);
-    const std::vector<double>* albedo = numbers_of(section.at("single_scattering_albedo"));
-    if (albedo) {
+    law.angstrom_exponent = section.number("angstrom_exponent").value_or(usual_angstrom_exponent);
+    if (const auto* albedo = section.value<Numbers>("single_scattering_albedo")) {
         law.single_scattering_albedo = albedo->front();
         if (std::ranges::any_of(*albedo, [&](double value) { return value != albedo->front(); })) {
             decoder.report("E0139", section, "single_scattering_albedo",
@@ -394,8 +374,7 @@ void bind_aerosol(const DecodedSection& section, Decoder& decoder, Layer& layer)
                            "give one number for all wavelengths, or coefficients for each");
         }
     }
-    const DecodedField& depth = section.at("optical_depth");
-    if (depth.value) law.optical_depth = std::get<double>(*depth.value);
+    law.optical_depth = section.number("optical_depth");
     law.extinction = visible_extinction(section).value_or(InverseLength{});
     layer.aerosol = law;
 }
@@ -434,7 +413,7 @@ Layer bind_layer(const std::string& name, const DecodedSection& section, const P
     if (matter == Matter::gas) bind_gas(section, decoder, layer);
     if (matter == Matter::aerosol) bind_aerosol(section, decoder, layer);
     if (layer.phase == Phase::rayleigh) {
-        layer.depolarization = number_or(section.at("depolarization"), depolarization_of(layer));
+        layer.depolarization = section.number("depolarization").value_or(depolarization_of(layer));
     }
     bind_standard_profile(section, decoder, layer);
     if (matter == Matter::particles) bind_particles(section, recipe, decoder, layer);
@@ -478,12 +457,12 @@ std::vector<double> zenith_optical_depth(const Layer& layer, const Atmosphere& a
     });
 }
 
-std::optional<Layer> decode_layer(const std::string& name, const Place& place, const Table& table,
-                                  const Parameters& recipe, Decoder& decoder) {
+std::optional<Layer> decode_layer(const Entry& entry, const Parameters& recipe, Decoder& decoder) {
+    const Table& table = *as_table(entry.value);
     const bool off = is_switched_off(table);
-    DecodedSection section =
-        decode_section(*find_section("atmosphere.layers.*"), join_path("atmosphere.layers", name),
-                       place, table, off ? Absent::left_out : Absent::filled_in, decoder);
+    DecodedSection section = decode_section(
+        *find_section("atmosphere.layers.*"), join_path("atmosphere.layers", entry.key),
+        entry.key_place, table, off ? Absent::left_out : Absent::filled_in, decoder);
     if (off) {
         decode_switched_off(section, decoder);
         return std::nullopt;
@@ -500,7 +479,7 @@ std::optional<Layer> decode_layer(const std::string& name, const Place& place, c
     if (matter == Matter::gas) derive_phase_of_gas(section);
     append_values(section, decoder);
     if (matter == Matter::aerosol) carry_albedo(section, decoder);
-    return bind_layer(name, section, recipe, decoder);
+    return bind_layer(entry.key, section, recipe, decoder);
 }
 
 void check_optical_depth(const Layer& layer, const Atmosphere& atmosphere, const Table& table,

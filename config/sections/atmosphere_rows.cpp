@@ -13,17 +13,7 @@ namespace {
 constexpr Range radius_range{1, 1e12};
 constexpr Range altitude_range{-1e9, 1e12};
 constexpr Range thickness_range{1e-3, 1e9};
-constexpr Range wavelength_range{1e-8, 1e-3};
 constexpr Range number_density_range{1e-12, 1e30};
-constexpr Range humidity_range{0, 0.99};
-constexpr Range pressure_range{1e-3, 1e8};
-constexpr Range column_range{1, 1e33};
-constexpr Range aerosol_depth_range{0, 1000};
-constexpr Range visibility_range{1, 3e5};
-constexpr Range angstrom_range{-4, 6};
-constexpr Range depolarization_range{0, 0.5};
-constexpr Range albedo_of_scattering_range{1e-6, 1};
-constexpr Range asymmetry_range{-1, 1, true, true};
 
 constexpr std::string_view hess_1998 =
     "Hess, Koepke and Schult 1998, Optical Properties of Aerosols and Clouds: OPAC";
@@ -58,7 +48,6 @@ constexpr Choice gas_choices[] = {
     {Gas::carbon_dioxide, "carbon_dioxide", "scatters by Rayleigh's law: Mars and Venus"},
 };
 
-// These are the profiles, phases and gases for which a key applies.
 constexpr Choice mixture_choices[] = {
     {AerosolMixture::continental_clean, "continental_clean", "remote land, without soot"},
     {AerosolMixture::continental_average, "continental_average", "land, with some soot"},
@@ -81,18 +70,7 @@ constexpr Choice ground_choices[] = {
     {Ground::mars, "mars", "mean of Mars: 0.09 in blue, 0.25 in red (Mallama et al. 2017)"},
 };
 
-constexpr std::string_view exponential[] = {"exponential"};
-constexpr std::string_view tent[] = {"tent"};
-constexpr std::string_view slab[] = {"slab"};
-constexpr std::string_view tabulated[] = {"tabulated"};
-constexpr std::string_view mie[] = {"mie"};
-constexpr std::string_view rayleigh[] = {"rayleigh"};
-constexpr std::string_view air[] = {"air"};
-constexpr std::string_view with_column[] = {"ozone",       "nitrogen_dioxide", "oxygen",
-                                            "water_vapor", "nitrogen",         "carbon_dioxide"};
-constexpr std::string_view with_asymmetry[] = {"henyey_greenstein", "cornette_shanks"};
-
-const RootField root_table[] = {
+const Row<Parameters> root_table[] = {
     {"format", Kind::integer, nullptr, "version of the recipe's language, which may be left out",
      Range{1, 1}, Default{"1"}, RangeCode{"E0119"}, KeyFlag::only_shown},
     {"preset", Kind::text, nullptr, "name of a preset to start from, without its [bake.*] sections",
@@ -102,7 +80,7 @@ const RootField root_table[] = {
     {"wavelengths", Kind::wavelengths, &Parameters::wavelengths,
      "wavelengths of light: one channel for each, or with [color] any number that are turned into "
      "colours",
-     wavelength_range, Default{R"(["680 nm", "550 nm", "440 nm"])"},
+     Range{1e-8, 1e-3}, Default{R"(["680 nm", "550 nm", "440 nm"])"},
      Hint{"visible light is 380 nm to 750 nm; \"best 4\" is enough for its colours"},
      Cited{bruneton_2008}},
     {"target", Kind::choice, &Parameters::target,
@@ -110,7 +88,7 @@ const RootField root_table[] = {
      Role::usual},
 };
 
-const AtmosphereField atmosphere_table[] = {
+const Row<Atmosphere> atmosphere_table[] = {
     {"ground_radius", Kind::length, &Atmosphere::ground_radius,
      "distance from the planet's centre to the ground", radius_range, KeyFlag::required,
      Hint{"the Earth has 6371 km"}, Role::geometry},
@@ -126,7 +104,7 @@ const AtmosphereField atmosphere_table[] = {
      Role::ground},
 };
 
-const LayerField layer_table[] = {
+const Row<Layer> layer_table[] = {
     {"preset", Kind::text, nullptr, "name of a preset of a layer to start from",
      KeyFlag::only_shown},
     {"enabled", Kind::flag, &Layer::enabled, "false drops the layer", Default{"true"},
@@ -135,36 +113,39 @@ const LayerField layer_table[] = {
      KeyFlag::required, Role::geometry},
     {"scale_height", Kind::length, &Layer::scale_height,
      "altitude over which the density falls by a factor of e", thickness_range, KeyFlag::required,
-     Hint{"air has 8 km, haze 1.2 km"}, When{"profile", exponential}, Cited{bruneton_2008},
+     Hint{"air has 8 km, haze 1.2 km"}, When{"profile", "exponential"}, Cited{bruneton_2008},
      Role::geometry},
     {"center_altitude", Kind::length, &Layer::center_altitude, "altitude of the largest density",
-     altitude_range, KeyFlag::required, Hint{"ozone has 25 km"}, When{"profile", tent},
+     altitude_range, KeyFlag::required, Hint{"ozone has 25 km"}, When{"profile", "tent"},
      Cited{bruneton_2017}, Role::geometry},
     {"half_width", Kind::length, &Layer::half_width,
      "distance from the largest density to zero: half the base of the tent", thickness_range,
      KeyFlag::required,
      Hint{"for ozone 15 km (papers that say \"width 30 km\" mean the full base)"},
-     When{"profile", tent}, Cited{bruneton_2017}, Role::geometry},
+     When{"profile", "tent"}, Cited{bruneton_2017}, Role::geometry},
     {"bottom_altitude", Kind::length, &Layer::bottom_altitude, "lower bound of the slab",
-     altitude_range, KeyFlag::required, When{"profile", slab}, Role::geometry},
+     altitude_range, KeyFlag::required, When{"profile", "slab"}, Role::geometry},
     {"top_altitude", Kind::length, &Layer::top_altitude, "upper bound of the slab", altitude_range,
-     KeyFlag::required, When{"profile", slab}, Role::geometry},
+     KeyFlag::required, When{"profile", "slab"}, Role::geometry},
     {"table", Kind::density_table, &Layer::table,
      "pairs [altitude, density] with altitudes that increase from at least 0; with a gas or "
      "optical_depth only ratios of densities count, else they are at most 1e6. A file's first line "
      "names its columns with units, as in altitude(km), ozone(cm-3)",
-     Range{0, 1e40}, KeyFlag::required, When{"profile", tabulated}, Role::geometry},
+     Range{0, 1e40}, KeyFlag::required, When{"profile", "tabulated"}, Role::geometry},
     {"gas", Kind::choice, nullptr, "gas whose coefficients are looked up at each wavelength",
      gas_choices, Role::particles},
     {"pressure", Kind::pressure, nullptr,
-     "pressure of the air at the ground, which says how much there is", pressure_range,
-     Default{R"("1013.25 hPa")"}, Hint{"840 hPa at 1500 m above the sea"}, When{"gas", air},
+     "pressure of the air at the ground, which says how much there is", Range{1e-3, 1e8},
+     Default{R"("1013.25 hPa")"}, Hint{"840 hPa at 1500 m above the sea"}, When{"gas", "air"},
      Role::particles},
     {"column", Kind::column_density, nullptr,
-     "molecules of the gas from the ground to the top of the air", column_range, KeyFlag::required,
+     "molecules of the gas from the ground to the top of the air", Range{1, 1e33},
+     KeyFlag::required,
      Hint{"ozone has 250 to 450 DU, nitrogen dioxide 0.1 to 1 DU, oxygen 4.5e28 /m2, water vapour "
           "4.7e26 /m2 (14 mm of water), carbon dioxide of Mars 2.2e27 /m2"},
-     When{"gas", with_column}, Role::particles},
+     When{"gas",
+          {"ozone", "nitrogen_dioxide", "oxygen", "water_vapor", "nitrogen", "carbon_dioxide"}},
+     Role::particles},
     {"aerosol", Kind::choice, nullptr,
      "mixture of OPAC's spheres, whose coefficients and phase function follow at each wavelength; "
      "without an amount it has its own",
@@ -179,17 +160,17 @@ const LayerField layer_table[] = {
      Exclusive{"species"}, Cited{hess_1998}, Role::particles},
     {"relative_humidity", Kind::fraction, nullptr,
      "humidity in which the spheres of aerosol or components swell; without it 80 %",
-     humidity_range, Cited{hess_1998}, Role::particles},
+     Range{0, 0.99}, Cited{hess_1998}, Role::particles},
     {"optical_depth", Kind::number, nullptr, "optical depth of an aerosol at 550 nm, straight up",
-     aerosol_depth_range, Hint{"clean air of mountains has 0.02 to 0.05, haze 0.3"},
-     Exclusive{"amount"}, Role::particles},
+     Range{0, 1000}, Hint{"clean air of mountains has 0.02 to 0.05, haze 0.3"}, Exclusive{"amount"},
+     Role::particles},
     {"visibility", Kind::length, nullptr,
-     "distance at which things vanish in the haze at the ground", visibility_range,
+     "distance at which things vanish in the haze at the ground", Range{1, 3e5},
      Hint{"clear air has 50 km, haze 5 km, fog less than 1 km"}, Exclusive{"amount"},
      Cited{"Koschmieder 1924"}, Role::particles},
     {"angstrom_exponent", Kind::number, nullptr,
      "exponent by which an aerosol's extinction falls with wavelength; without it 1.3",
-     angstrom_range, Hint{"dust and sea salt have 0 to 0.5, smoke 2"}, Cited{"Angstrom 1929"},
+     Range{-4, 6}, Hint{"dust and sea salt have 0 to 0.5, smoke 2"}, Cited{"Angstrom 1929"},
      Role::particles},
     {"scattering", Kind::coefficients, &Layer::scattering,
      "scattering coefficient where the density is 1", coefficient_range, Default{R"("0 /m")"},
@@ -203,20 +184,19 @@ const LayerField layer_table[] = {
      Hint{"ozone has 6.5e-7, 1.881e-6, 8.5e-8 /m"}, Exclusive{"extinction"}, Cited{hillaire_2020},
      KeyFlag::only_shown},
     {"single_scattering_albedo", Kind::fractions, nullptr, "scattering as a share of extinction",
-     albedo_of_scattering_range, Hint{"haze has 0.9"}, Exclusive{"extinction"},
-     KeyFlag::only_shown},
+     Range{1e-6, 1}, Hint{"haze has 0.9"}, Exclusive{"extinction"}, KeyFlag::only_shown},
     {"phase", Kind::choice, &Layer::phase,
      "where scattered light goes; { mie = \"NAME\" } names particles", phase_choices,
      Default{R"("isotropic")"}, Cited{henyey_1941}, Role::phase},
     {"g", Kind::number, &Layer::g, "asymmetry of the phase function: forward above 0, back below",
-     asymmetry_range, KeyFlag::required, Hint{"typical haze has 0.76"},
-     When{"phase", with_asymmetry}, Cited{henyey_1941}, Role::phase},
+     Range{-1, 1, true, true}, KeyFlag::required, Hint{"typical haze has 0.76"},
+     When{"phase", {"henyey_greenstein", "cornette_shanks"}}, Cited{henyey_1941}, Role::phase},
     {"depolarization", Kind::number, nullptr,
      "how much of the light scattered by 90 degrees is depolarised; without it that of the gas "
      "(air 0.0279), or 0",
-     depolarization_range, When{"phase", rayleigh}, Cited{"Bates 1984"}, Role::phase},
+     Range{0, 0.5}, When{"phase", "rayleigh"}, Cited{"Bates 1984"}, Role::phase},
     {"particles", Kind::text, nullptr, "NAME of the [particles.NAME] that the layer is made of",
-     KeyFlag::required, When{"phase", mie}, Role::particles},
+     KeyFlag::required, When{"phase", "mie"}, Role::particles},
     {"number_density", Kind::number_density, nullptr, "particles per volume where the density is 1",
      number_density_range, Hint{"haze has 1e3 to 1e4 /cm3, fog 10 to 100 /cm3, rain 1e3 /m3"},
      Exclusive{"amount"}, Role::particles},
@@ -224,10 +204,10 @@ const LayerField layer_table[] = {
 
 }  // namespace
 
-std::span<const RootField> root_fields() { return root_table; }
+std::span<const Row<Parameters>> root_fields() { return root_table; }
 
-std::span<const AtmosphereField> atmosphere_fields() { return atmosphere_table; }
+std::span<const Row<Atmosphere>> atmosphere_fields() { return atmosphere_table; }
 
-std::span<const LayerField> layer_fields() { return layer_table; }
+std::span<const Row<Layer>> layer_fields() { return layer_table; }
 
 }  // namespace skybake::config

@@ -1,7 +1,6 @@
 #include "config/sections/cloud.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -27,18 +26,6 @@ std::vector<std::string> cloud_channel_names(const Noise* noise, CloudChannels c
 
 namespace {
 
-// Decodes the section of a table below a cloud and fills its struct.
-template <class S, class Bound>
-DecodedSection decode_into(S& target, std::span<const Bound> fields, std::string_view pattern,
-                           const std::string& path, const Place& place, const Table& table,
-                           Decoder& decoder) {
-    DecodedSection section =
-        decode_section(*find_section(pattern), path, place, table, Absent::filled_in, decoder);
-    append_values(section, decoder);
-    bind_section(section, fields, target);
-    return section;
-}
-
 // This is one cloud while its tables are read.
 struct CloudReader {
     const std::string& path;
@@ -53,42 +40,21 @@ struct CloudReader {
         return entry ? entry->key_place : place;
     }
 
-    DecodedSection read_height_profile() const {
-        return decode_into(cloud.height_profile, height_profile_fields(), "clouds.*.height_profile",
-                           join_path(path, "height_profile"), place_of("height_profile"),
-                           subtable(table, "height_profile", path, decoder), decoder);
+    // Decodes the table of a key of the cloud.
+    template <class S>
+    DecodedSection read_table(std::string_view key, std::span<const Row<S>> rows, S& target) const {
+        return decode_into(target, rows, fmt::format("clouds.*.{}", key), join_path(path, key),
+                           place_of(key), subtable(table, key, path, decoder), decoder);
     }
 
-    // Resolves the path of a map. Files are looked for where includes are: in the folder of the
-    // recipe that names them.
-    void resolve_path(const DecodedSection& section, CloudMap& map) const {
-        const DecodedField& file = section.at("file");
-        if (!file.source || !file.value) return;
-        if (map.file.empty()) {
-            decoder.report("E0110", section, "file", "is empty", "give the name of a picture");
-            return;
-        }
-        const Source* source = file.source->place.source;
-        const std::filesystem::path folder = source ? source->folder : std::filesystem::path();
-        map.path = (folder / map.file).lexically_normal();
-        map.file_place = source_range(file.source->place);
-        const DecodedField& channel = section.at("channel");
-        map.channel_place = channel.source ? source_range(channel.source->place) : map.file_place;
-    }
-
-    void read_map(std::string_view key, std::string_view pattern,
-                  std::span<const CloudMapField> fields, CloudMap& map) const {
-        if (!find_entry(table, key)) return;
-        const Table& keys = subtable(table, key, path, decoder);
-        if (!as_table(find_entry(table, key)->value)) return;
-        const DecodedSection section =
-            decode_into(map, fields, pattern, join_path(path, key), place_of(key), keys, decoder);
-        resolve_path(section, map);
-    }
-
-    void read_coverage_map() const {
-        read_map("coverage_map", "clouds.*.coverage_map", coverage_map_fields(),
-                 cloud.coverage_map);
+    void read_map(std::string_view key, std::span<const Row<CloudMap>> rows, CloudMap& map) const {
+        const Entry* entry = find_entry(table, key);
+        if (!entry || !named_table(*entry, path, decoder)) return;
+        const DecodedSection section = read_table(key, rows, map);
+        map.path = path_of_file(section, "a picture", decoder);
+        if (map.path.empty()) return;
+        map.file_place = source_range(section.place_of("file"));
+        map.channel_place = source_range(section.place_of("channel", "file"));
     }
 
     void report_cells(const DecodedSection& section, std::string what, std::string label) const {
@@ -143,9 +109,7 @@ struct CloudReader {
     // frame to the next (examples/grown_clouds.md), and a film is 48 times as fast as the sky.
     double default_loop_minutes(const DecodedSection& section) const {
         constexpr double kFrame_min = 2.0 / 60;
-        const DecodedField& minutes = section.at("minutes");
-        return std::min(kFrame_min * cloud.period,
-                        minutes.value ? std::get<double>(*minutes.value) : 0);
+        return std::min(kFrame_min * cloud.period, section.number("minutes").value_or(0));
     }
 
     void check_loop(const DecodedSection& section) const {
@@ -240,27 +204,28 @@ void check_noises(const DecodedSection& section, const Cloud& cloud, std::span<c
 
 }  // namespace
 
-Cloud decode_cloud(const std::string& name, const Place& place, const Table& table,
-                   const CloudSources& sources, Decoder& decoder) {
-    const std::string path = join_path("clouds", name);
-    check_name(name, path, "a cloud", place, decoder);
+Cloud decode_cloud(const Entry& entry, const CloudSources& sources, Decoder& decoder) {
+    const std::string path = join_path("clouds", entry.key);
+    check_name(entry, path, "a cloud", decoder);
+    const Table& table = *as_table(entry.value);
     Cloud cloud;
-    cloud.name = name;
-    DecodedSection section =
-        decode_section(*find_section("clouds.*"), path, place, table, Absent::filled_in, decoder);
+    cloud.name = entry.key;
+    DecodedSection section = decode_section(*find_section("clouds.*"), path, entry.key_place, table,
+                                            Absent::filled_in, decoder);
     resolve_cloud_source(section, table, sources, decoder);
     append_values(section, decoder);
     bind_section(section, cloud_fields(), cloud);
     check_noises(section, cloud, sources.noises, decoder);
-    const CloudReader reader{path, place, table, decoder, cloud};
+    const CloudReader reader{path, entry.key_place, table, decoder, cloud};
     reader.read_convection();
     if (!cloud.volume.empty() || cloud.shape == CloudShape::convection) {
-        reader.read_coverage_map();
+        reader.read_map("coverage_map", coverage_map_fields(), cloud.coverage_map);
         return cloud;
     }
-    const DecodedSection profile = reader.read_height_profile();
-    reader.read_coverage_map();
-    reader.read_map("type_map", "clouds.*.type_map", type_map_fields(), cloud.type_map);
+    const DecodedSection profile =
+        reader.read_table("height_profile", height_profile_fields(), cloud.height_profile);
+    reader.read_map("coverage_map", coverage_map_fields(), cloud.coverage_map);
+    reader.read_map("type_map", type_map_fields(), cloud.type_map);
     reader.check_type_map(profile);
     reader.read_towers();
     return cloud;

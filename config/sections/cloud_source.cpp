@@ -44,17 +44,9 @@ void check_noise_keys(const DecodedSection& section, std::string_view source, co
 void check_velocity(const DecodedSection& section, Decoder& decoder) {
     const DecodedField& channels = section.at("channels");
     if (!channels.source || choice_of<CloudChannels>(channels) != CloudChannels::velocity) return;
-    if (section.at("shape").source != nullptr) return;
+    if (section.gives("shape")) return;
     decoder.report("E0111", section, "channels", "is \"velocity\", which a cloud has that grows",
                    "give shape = \"convection\", or leave it out");
-}
-
-void check_name(const DecodedField& volume, const std::string& path, Decoder& decoder) {
-    const std::string* name = text_of(volume);
-    if (!name || !name->empty()) return;
-    decoder.diagnostics.error("E0110", volume.source->place,
-                              fmt::format("`{}` is empty", join_path(path, "volume")),
-                              "give the NAME of a [volumes.NAME], or leave it out");
 }
 
 void derive_extent(DecodedSection& section, const VolumeShape& shape, Decoder& decoder) {
@@ -79,12 +71,12 @@ void read_shape(DecodedSection& section, const VolumeFile& volume, const CloudSo
     const VolumeProbe probe = volume_probe();
     if (probe == nullptr || decoder.diagnostics.has_errors()) return;
     const Outcome<VolumeShape> shape = probe(volume);
-    const bool gives_extent = section.at("extent").source != nullptr;
-    const auto number = static_cast<std::size_t>(&volume - sources.volumes.data());
+    const bool gives_extent = section.gives("extent");
+    const Table& keys = *find_table(*find_table(sources.root, "volumes"), volume.name);
     for (const Diagnostic& diagnostic : shape.diagnostics) {
         if (gives_extent) break;
-        decoder.diagnostics.error(diagnostic.code, sources.volume_files[number], diagnostic.message,
-                                  diagnostic.label);
+        decoder.diagnostics.error(diagnostic.code, find_entry(keys, "file")->value.place,
+                                  diagnostic.message, diagnostic.label);
     }
     if (!shape.value) return;
     const auto& [x, y, z] = shape.value->corner_m;
@@ -99,9 +91,13 @@ void resolve_cloud_source(DecodedSection& section, const Table& table, const Clo
                           Decoder& decoder) {
     const VolumeFile* volume =
         find_named(section, "volume", sources.volumes, volume_reference, decoder);
-    const bool is_of_volume = section.at("volume").source != nullptr;
-    if (is_of_volume) check_name(section.at("volume"), section.path, decoder);
-    if (is_of_volume || section.at("shape").source != nullptr) {
+    const bool is_of_volume = section.gives("volume");
+    const auto* name = section.value<std::string>("volume");
+    if (name && name->empty()) {
+        decoder.report("E0110", section, "volume", "is empty",
+                       "give the NAME of a [volumes.NAME], or leave it out");
+    }
+    if (is_of_volume || section.gives("shape")) {
         const std::string_view source = is_of_volume ? "volume" : "shape";
         check_noise_keys(section, source, table, decoder);
         check_time_keys(section, source, decoder);
@@ -111,8 +107,8 @@ void resolve_cloud_source(DecodedSection& section, const Table& table, const Clo
     }
     check_velocity(section, decoder);
     const DecodedField& extent = section.at("extent");
-    const auto is_given = [&](std::string_view key) { return section.at(key).source != nullptr; };
-    const bool says_all = is_given("extent") && is_given("corner") && is_given("base_altitude");
+    const bool says_all =
+        section.gives("extent") && section.gives("corner") && section.gives("base_altitude");
     if (volume && !says_all) read_shape(section, *volume, sources, decoder);
     const bool is_at_fault = is_of_volume && decoder.diagnostics.has_errors();
     if (extent.source || extent.value || is_at_fault || !decoder.complete) return;

@@ -27,7 +27,7 @@ constexpr Choice white_choices[] = {
      "the white of the space is: D65, and for acescg nearly D60; the sun is slightly yellow"},
 };
 
-const ColorField color_table[] = {
+const Row<Color> color_table[] = {
     {"space", Kind::choice, &Color::space, "colour space of tables of light", space_choices,
      Default{R"("linear_srgb")"}},
     {"observer", Kind::choice, &Color::observer,
@@ -41,6 +41,6 @@ const ColorField color_table[] = {
 
 }  // namespace
 
-std::span<const ColorField> color_fields() { return color_table; }
+std::span<const Row<Color>> color_fields() { return color_table; }
 
 }  // namespace skybake::config

@@ -9,7 +9,6 @@
 #include "config/sections/cloud.h"
 #include "config/sections/noise.h"
 #include "config/sections/spectral_air.h"
-#include "config/text/key_path.h"
 
 namespace skybake::config {
 
@@ -63,24 +62,22 @@ Motion motion_of(const Cloud& cloud) {
 }
 
 void check_frames(const DecodedSection& bake, std::span<const Motion> motions, Decoder& decoder) {
-    const DecodedField& frames = bake.at("frames");
-    const DecodedField& given = frames.source ? frames : bake.at("frame");
-    if (!given.source || !given.value) return;
-    const std::string path = join_path(bake.path, given.field->key);
+    const std::string_view key = bake.gives("frames") ? "frames" : "frame";
+    if (!bake.gives(key) || !bake.at(key).value) return;
     if (std::ranges::none_of(motions, moves)) {
-        decoder.report(
-            "E0174", bake, given.field->key, ": nothing moves, so that all frames are the same",
-            "give a noise of the asset a `period`, or its cloud a `period` and towers with `life` or "
-            "shape convection, or leave this key out");
+        decoder.report("E0174", bake, key, ": nothing moves, so that all frames are the same",
+                       "give a noise of the asset a `period`, or its cloud a `period` and towers "
+                       "with `life` or "
+                       "shape convection, or leave this key out");
         return;
     }
-    if (!frames.value) return;
-    const int count = static_cast<int>(std::get<double>(*frames.value));
+    const std::optional<int> count = bake.whole("frames");
+    if (!count) return;
     for (const Motion& motion : motions) {
-        if (!moves(motion) || count % motion.period == 0) continue;
+        if (!moves(motion) || *count % motion.period == 0) continue;
         decoder.report(
-            "W0219", bake, given.field->key,
-            fmt::format("is {}, but {} repeats after {}", count, motion.name, motion.period),
+            "W0219", bake, key,
+            fmt::format("is {}, but {} repeats after {}", *count, motion.name, motion.period),
             "the last frame does not lead to the first; give whole loops");
     }
 }

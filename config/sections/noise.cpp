@@ -22,13 +22,11 @@ struct SeriesResolver {
     // Returns the number of octaves that `octaves` asks for, or the number of gains if `octaves` is
     // not given.
     std::optional<std::size_t> count() const {
-        const DecodedField& octaves = channel.at(keys.octaves);
-        const DecodedField& gains = channel.at(keys.gains);
-        if (!octaves.source && gains.value) {
-            return std::get<std::vector<double>>(*gains.value).size();
-        }
-        if (!octaves.value) return std::nullopt;
-        return static_cast<std::size_t>(std::get<double>(*octaves.value));
+        const auto* gains = channel.value<std::vector<double>>(keys.gains);
+        if (!channel.gives(keys.octaves) && gains) return gains->size();
+        const std::optional<int> octaves = channel.whole(keys.octaves);
+        if (!octaves) return std::nullopt;
+        return static_cast<std::size_t>(*octaves);
     }
 
     void report_overflow(std::size_t octave, std::int64_t frequency) const {
@@ -46,9 +44,8 @@ struct SeriesResolver {
     std::optional<std::vector<Frequency>> series(std::size_t octaves) const {
         const auto most =
             static_cast<std::int64_t>(channel.at(keys.frequencies).field->range.maximum);
-        const auto lacunarity =
-            static_cast<int>(std::get<double>(*channel.at(keys.lacunarity).value));
-        std::vector<Frequency> result = {std::get<Frequency>(*channel.at(keys.frequency).value)};
+        const int lacunarity = *channel.whole(keys.lacunarity);
+        std::vector<Frequency> result = {*channel.value<Frequency>(keys.frequency)};
         while (result.size() < octaves) {
             Frequency next{};
             for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -72,9 +69,7 @@ struct SeriesResolver {
         // A source without a value was at fault, which has been reported.
         if (frequencies.source || !has_series) return;
         std::optional<std::vector<Frequency>> resolved = series(*octaves);
-        if (!resolved) return;
-        frequencies.value = std::move(*resolved);
-        frequencies.derived = true;
+        if (resolved) derive(frequencies, std::move(*resolved));
     }
 
     // Returns the place of the key that was given last, so that the error does not point to a
@@ -100,18 +95,13 @@ struct SeriesResolver {
     }
 
     void resolve_gains(std::size_t octaves) const {
-        DecodedField& gains = channel.at(keys.gains);
-        const DecodedField& gain = channel.at(keys.gain);
-        if (gains.value) {
-            const std::size_t given = std::get<std::vector<double>>(*gains.value).size();
-            if (given != octaves) report_count(octaves, given);
-        } else if (!gains.source && gain.value) {
+        const std::optional<double> gain = channel.number(keys.gain);
+        if (const auto* given = channel.value<std::vector<double>>(keys.gains)) {
+            if (given->size() != octaves) report_count(octaves, given->size());
+        } else if (gain) {
             std::vector<double> resolved = {1};
-            while (resolved.size() < octaves) {
-                resolved.push_back(resolved.back() * std::get<double>(*gain.value));
-            }
-            gains.value = std::move(resolved);
-            gains.derived = true;
+            while (resolved.size() < octaves) resolved.push_back(resolved.back() * *gain);
+            derive(channel.at(keys.gains), std::move(resolved));
         }
     }
 };
@@ -139,14 +129,11 @@ std::vector<std::string> channel_names(const Noise& noise) {
 NoiseOctaves resolve_octaves(DecodedSection& channel, const OctaveKeys& keys, Decoder& decoder) {
     const SeriesResolver resolver{channel, keys, decoder};
     resolver.resolve_frequencies();
-    const DecodedField& frequencies = channel.at(keys.frequencies);
-    if (!frequencies.value) return {};
-    NoiseOctaves octaves;
-    octaves.frequencies = std::get<std::vector<Frequency>>(*frequencies.value);
-    resolver.resolve_gains(octaves.frequencies.size());
-    const DecodedField& gains = channel.at(keys.gains);
-    if (gains.value) octaves.gains = std::get<std::vector<double>>(*gains.value);
-    return octaves;
+    const auto* frequencies = channel.value<std::vector<Frequency>>(keys.frequencies);
+    if (!frequencies) return {};
+    resolver.resolve_gains(frequencies->size());
+    const auto* gains = channel.value<std::vector<double>>(keys.gains);
+    return {*frequencies, gains ? *gains : std::vector<double>{}};
 }
 
 bool is_coarse(const std::array<int, 3>& frequency, const std::array<int, 3>& size) {

@@ -7,7 +7,6 @@
 #include <array>
 
 #include "config/text/key_path.h"
-#include "config/text/text.h"
 
 namespace skybake::config {
 namespace {
@@ -25,7 +24,7 @@ std::size_t channel_order(std::string_view name) {
 
 // Reports keys of a noise that displaces where nothing says how far.
 void report_idle_warp(const DecodedSection& section, Decoder& decoder) {
-    if (section.at("warp_strength").source || !decoder.complete) return;
+    if (section.gives("warp_strength") || !decoder.complete) return;
     for (const DecodedField& decoded : section.fields) {
         if (!decoded.source || !decoded.field->key.starts_with("warp_")) continue;
         decoder.report("E0111", section, decoded.field->key,
@@ -38,17 +37,15 @@ void report_idle_warp(const DecodedSection& section, Decoder& decoder) {
 // Curly alligator noise is displaced by a quarter of a cell of its first octave, if nothing else is
 // said: farther, curls fold into rings.
 void derive_warp_strength(DecodedSection& section, const NoiseOctaves& octaves) {
-    DecodedField& strength = section.at("warp_strength");
-    if (strength.source || octaves.frequencies.empty()) return;
+    if (octaves.frequencies.empty()) return;
     const std::array<int, 3>& first = octaves.frequencies.front();
-    strength.value = 0.25 / *std::ranges::max_element(first);
-    strength.derived = true;
+    derive(section.at("warp_strength"), 0.25 / *std::ranges::max_element(first));
 }
 
 NoiseOctaves resolve_warp(DecodedSection& section, const NoiseOctaves& octaves, Decoder& decoder) {
-    const DecodedField& type = section.at("type");
-    if (!type.value) return {};
-    if (*choice_of<NoiseType>(type) == NoiseType::curly_alligator) {
+    const auto type = choice_of<NoiseType>(section.at("type"));
+    if (!type) return {};
+    if (*type == NoiseType::curly_alligator) {
         derive_warp_strength(section, octaves);
     } else {
         report_idle_warp(section, decoder);
@@ -57,12 +54,12 @@ NoiseOctaves resolve_warp(DecodedSection& section, const NoiseOctaves& octaves, 
     return resolve_octaves(section, warp_octave_keys, decoder);
 }
 
-NoiseChannel decode_channel(const std::string& name, const std::string& path, const Place& place,
-                            const Table& table, Decoder& decoder) {
-    DecodedSection section = decode_section(*find_section("noise.*.channels.*"), path, place, table,
-                                            Absent::filled_in, decoder);
+NoiseChannel decode_channel(const Entry& entry, const std::string& path, Decoder& decoder) {
+    DecodedSection section =
+        decode_section(*find_section("noise.*.channels.*"), path, entry.key_place,
+                       *as_table(entry.value), Absent::filled_in, decoder);
     NoiseChannel channel;
-    channel.name = name;
+    channel.name = entry.key;
     channel.octaves = resolve_octaves(section, plain_octave_keys, decoder);
     channel.worley_octaves = resolve_octaves(section, worley_octave_keys, decoder);
     channel.warp_octaves = resolve_warp(section, channel.octaves, decoder);
@@ -88,9 +85,7 @@ std::vector<const Entry*> channel_entries(const Table& channels, const std::stri
             report_unknown_channel(entry, path, decoder);
         }
     }
-    std::ranges::sort(entries, [](const Entry* a, const Entry* b) {
-        return channel_order(a->key) < channel_order(b->key);
-    });
+    std::ranges::sort(entries, {}, [](const Entry* entry) { return channel_order(entry->key); });
     return entries;
 }
 
@@ -121,10 +116,8 @@ void report_set(const std::string& set, const std::string& path, const Place& pl
 
 // Checks that the noise has the channels that the formula of its packing names.
 void check_packing(const DecodedSection& section, const std::string& set, Decoder& decoder) {
-    const DecodedField& pack = section.at("pack");
-    if (!pack.value || !pack.source) return;
-    const auto packing = *choice_of<NoisePacking>(pack);
-    if (packing == NoisePacking::none) return;
+    const auto packing = choice_of<NoisePacking>(section.at("pack"));
+    if (!packing || packing == NoisePacking::none) return;
     const std::string wanted = packing == NoisePacking::shape ? "RGBA" : "RGB";
     if (set == wanted) return;
     decoder.report("E0129", section, "pack",
@@ -140,10 +133,8 @@ std::vector<NoiseChannel> decode_channels(const DecodedSection& section, const T
     const auto entries = channel_entries(channels, path, decoder);
     std::vector<NoiseChannel> result;
     for (const Entry* entry : entries) {
-        const Table* keys = named_table(*entry, path, decoder);
-        if (!keys) continue;
-        result.push_back(decode_channel(entry->key, join_path(path, entry->key), entry->key_place,
-                                        *keys, decoder));
+        if (!named_table(*entry, path, decoder)) continue;
+        result.push_back(decode_channel(*entry, join_path(path, entry->key), decoder));
     }
     const std::string set = set_of(entries);
     const bool is_known = std::ranges::find(channel_sets, set) != channel_sets.end();
@@ -162,16 +153,14 @@ std::vector<NoiseChannel> decode_channels(const DecodedSection& section, const T
 
 }  // namespace
 
-Noise decode_noise(const std::string& name, const Place& place, const Table& table,
-                   Decoder& decoder) {
-    const std::string path = join_path("noise", name);
-    check_name(name, path, "a noise", place, decoder);
-    const DecodedSection section =
-        decode_section(*find_section("noise.*"), path, place, table, Absent::filled_in, decoder);
-    append_values(section, decoder);
+Noise decode_noise(const Entry& entry, Decoder& decoder) {
+    const std::string path = join_path("noise", entry.key);
+    check_name(entry, path, "a noise", decoder);
+    const Table& table = *as_table(entry.value);
     Noise noise;
-    noise.name = name;
-    bind_section(section, noise_fields(), noise);
+    noise.name = entry.key;
+    const DecodedSection section =
+        decode_into(noise, noise_fields(), "noise.*", path, entry.key_place, table, decoder);
     noise.channels = decode_channels(section, table, decoder);
     return noise;
 }

@@ -1,7 +1,5 @@
-#include <initializer_list>
 #include <span>
 #include <string_view>
-#include <vector>
 
 #include "config/fields/fields.h"
 #include "config/sections/sections.h"
@@ -21,12 +19,6 @@ constexpr std::string_view bridson_2007 =
     "Bridson, Hourihan and Nordenstam 2007, Curl-Noise for Procedural Fluid Flow";
 constexpr std::string_view takram = "takram, three-clouds";
 
-constexpr Range voxel_range{1, 16384};
-constexpr Range period_range{1, 1e6};
-constexpr Range time_range{-1e9, 1e9};
-constexpr Range drift_range{-1024, 1024};
-constexpr Range time_cells_range{1, 1024};
-
 constexpr Choice sampling_choices[] = {
     {NoiseSampling::centers, "centers", "voxel i of N at (i + 1/2)/N"},
     {NoiseSampling::corners, "corners", "voxel i of N at i/N"},
@@ -40,14 +32,14 @@ constexpr Choice pack_choices[] = {
     {NoisePacking::detail, "detail", "of R, G and B: 0.625 R + 0.25 G + 0.125 B"},
 };
 
-const NoiseField noise_table[] = {
+const Row<Noise> noise_table[] = {
     {"preset", Kind::text, nullptr,
      "name of a noise preset to start from, which the section's keys override",
      KeyFlag::only_shown},
     {"seed", Kind::seed, &Noise::seed, "another seed gives another noise of the same kind",
      Default{"0"}},
     {"size", Kind::voxels, &Noise::size,
-     "voxels that the noise is made for; the default of size in [bake.*]", voxel_range,
+     "voxels that the noise is made for; the default of size in [bake.*]", texel_range,
      Default{"[128, 128, 128]"},
      Hint{"shapes have 128 each, details 32 each; 1 along z gives a picture"},
      Cited{schneider_2015}, Role::usual},
@@ -61,24 +53,19 @@ const NoiseField noise_table[] = {
     {"period", Kind::integer, &Noise::period,
      "frames of a loop in time, after which the noise repeats bit for bit; without it the noise "
      "stands still",
-     period_range, Hint{"48 is two seconds of film"}},
+     Range{1, 1e6}, Hint{"48 is two seconds of film"}},
     {"time", Kind::integer, &Noise::time,
-     "the frame; frames before 0 and from `period` on are repeats", time_range, Default{"0"},
+     "the frame; frames before 0 and from `period` on are repeats", Range{-1e9, 1e9}, Default{"0"},
      Needs{"period"}},
     {"time_cells", Kind::integer, &Noise::time_cells,
      "lattice cells per loop along time, of the coarsest octave; finer ones have more",
-     time_cells_range, Default{"4"},
+     Range{1, 1024}, Default{"4"},
      Hint{"twice as many change the noise twice as fast; a single one hardly does"},
      Needs{"period"}},
     {"drift", Kind::frequency, &Noise::drift,
-     "whole tiles per loop that the wind carries the noise along x, y and z", drift_range,
+     "whole tiles per loop that the wind carries the noise along x, y and z", Range{-1024, 1024},
      Default{"0"}, Hint{"[1, 0, 0] is a wind of a tile per loop along +x"}, Needs{"period"}},
 };
-
-constexpr Range warp_range{-16, 16};
-
-constexpr std::string_view worley_1996 = "Worley 1996, A Cellular Texture Basis Function";
-constexpr std::string_view perlin_1985 = "Perlin 1985, An Image Synthesizer";
 
 constexpr Choice feature_choices[] = {
     {WorleyFeature::f1, "f1", "distance to the nearest point"},
@@ -98,70 +85,14 @@ constexpr Choice warp_choices[] = {
     {NoiseWarp::gradient, "gradient", "three gradient noises"},
 };
 // These are the types for which a key applies.
-constexpr std::string_view warped[] = {"perlin", "worley", "perlin_worley", "alligator",
-                                       "curly_alligator"};
-constexpr std::string_view with_worley[] = {"worley", "perlin_worley"};
-constexpr std::string_view perlin_worley[] = {"perlin_worley"};
-
-const NoiseChannelField cellular_table[] = {
-    {"worley_frequency", Kind::frequency, nullptr, "frequency of the cellular part",
-     frequency_range, Default{"4"}, Exclusive{"worley_frequencies", "series"},
-     When{"type", perlin_worley}, KeyFlag::only_shown},
-    {"worley_octaves", Kind::integer, nullptr, "octaves of the cellular part", octave_range,
-     Default{"3"}, Exclusive{"worley_frequencies", "series"}, When{"type", perlin_worley},
-     KeyFlag::only_shown},
-    {"worley_lacunarity", Kind::integer, nullptr, "lacunarity of the cellular part",
-     lacunarity_range, Default{"2"}, Exclusive{"worley_frequencies", "series"},
-     When{"type", perlin_worley}, KeyFlag::only_shown},
-    {"worley_frequencies", Kind::frequencies, nullptr, "frequencies of the cellular part",
-     frequency_range, Exclusive{"worley_frequencies"}, When{"type", perlin_worley}},
-    {"worley_gain", Kind::number, nullptr, "gain of the cellular part", gain_range, Default{"0.5"},
-     Exclusive{"worley_gains"}, When{"type", perlin_worley}, KeyFlag::only_shown},
-    {"worley_gains", Kind::gains, nullptr, "gains of the cellular part", gains_range,
-     Hint{"cloud shapes have [0.625, 0.25, 0.125]"}, Exclusive{"worley_gains"},
-     When{"type", perlin_worley}, Cited{schneider_2015}},
-    {"feature", Kind::choice, &NoiseChannel::feature, "which distance d of cellular noise",
-     feature_choices, Default{R"("f1")"}, When{"type", with_worley}, Cited{worley_1996}},
-    {"value_form", Kind::choice, &NoiseChannel::value_form, "value of cellular noise at distance d",
-     value_form_choices, Default{R"("one_minus_distance")"}, When{"type", with_worley}},
-};
-
-const NoiseChannelField displacement_table[] = {
-    {"warp_strength", Kind::number, &NoiseChannel::warp_strength,
-     "displacement, in tiles, where the noise that displaces is 1", warp_range,
-     Hint{"a quarter of a cell of the first octave curls the noise; metres are divided by the "
-          "length of the tile"},
-     When{"type", warped}, Cited{perlin_1985}},
-    {"warp_by", Kind::choice, &NoiseChannel::warp_by, "the noise that displaces, by default curl",
-     warp_choices, When{"type", warped}, Cited{bridson_2007}},
-    {"warp_frequency", Kind::frequency, nullptr, "frequency of the noise that displaces",
-     frequency_range, Default{"4"}, Exclusive{"warp_frequencies", "series"}, When{"type", warped},
-     KeyFlag::only_shown},
-    {"warp_octaves", Kind::integer, nullptr, "octaves of the noise that displaces", octave_range,
-     Default{"1"}, Exclusive{"warp_frequencies", "series"}, When{"type", warped},
-     KeyFlag::only_shown},
-    {"warp_lacunarity", Kind::integer, nullptr, "lacunarity of the noise that displaces",
-     lacunarity_range, Default{"2"}, Exclusive{"warp_frequencies", "series"}, When{"type", warped},
-     KeyFlag::only_shown},
-    {"warp_frequencies", Kind::frequencies, nullptr, "frequencies of the noise that displaces",
-     frequency_range, Exclusive{"warp_frequencies"}, When{"type", warped}},
-    {"warp_gain", Kind::number, nullptr, "gain of the noise that displaces", gain_range,
-     Default{"0.5"}, Exclusive{"warp_gains"}, When{"type", warped}, KeyFlag::only_shown},
-    {"warp_gains", Kind::gains, nullptr, "gains of the noise that displaces", gains_range,
-     Exclusive{"warp_gains"}, When{"type", warped}},
-};
+constexpr Words warped = {"perlin", "worley", "perlin_worley", "alligator", "curly_alligator"};
+constexpr Words with_worley = {"worley", "perlin_worley"};
 
 constexpr Range value_range{-1e6, 1e6};
 constexpr Range bias_range{0.001, 0.999};  // beyond it, single precision divides by 0
 
-constexpr std::string_view kinds_of_noise =
-    "Perlin 2002, Improving Noise; Worley 1996, A Cellular Texture Basis Function; alligator: Side "
-    "Effects Software, HDK sample `alligator`, and Schneider 2023, Nubis Cubed";
 constexpr std::string_view musgrave_1994 =
     "Musgrave, in Ebert et al. 1994, Texturing and Modeling: A Procedural Approach";
-constexpr std::string_view schlick_1994 =
-    "Schlick 1994, Fast Alternatives to Perlin's Bias and Gain Functions";
-constexpr std::string_view tileable_volume_noise = "Hillaire, TileableVolumeNoise";
 
 constexpr Choice type_choices[] = {
     {NoiseType::constant, "constant", "the value everywhere"},
@@ -187,17 +118,16 @@ constexpr Choice component_choices[] = {
     {CurlComponent::z, "z", "d/dx of potential y - d/dy of potential x"},
 };
 // These are the types for which a key applies.
-constexpr std::string_view constant_noise[] = {"constant"};
-constexpr std::string_view noises[] = {"perlin", "worley",    "perlin_worley",
-                                       "curl",   "alligator", "curly_alligator"};
-constexpr std::string_view with_perlin[] = {"perlin", "perlin_worley"};
-constexpr std::string_view curl[] = {"curl"};
+constexpr Words noises = {"perlin", "worley",    "perlin_worley",
+                          "curl",   "alligator", "curly_alligator"};
 
-const NoiseChannelField octave_table[] = {
+const Row<NoiseChannel> channel_table[] = {
     {"type", Kind::choice, &NoiseChannel::type, "kind of noise", type_choices, KeyFlag::required,
-     Cited{kinds_of_noise}},
+     Cited{
+         "Perlin 2002, Improving Noise; Worley 1996, A Cellular Texture Basis Function; alligator: "
+         "Side Effects Software, HDK sample `alligator`, and Schneider 2023, Nubis Cubed"}},
     {"value", Kind::number, &NoiseChannel::value, "the value everywhere", value_range,
-     KeyFlag::required, When{"type", constant_noise}},
+     KeyFlag::required, When{"type", "constant"}},
     {"frequency", Kind::frequency, nullptr,
      "lattice cells per tile in the first octave, one number or one per axis", frequency_range,
      Default{"4"}, Hint{"up to a quarter of the number of voxels does not alias"},
@@ -216,18 +146,56 @@ const NoiseChannelField octave_table[] = {
      KeyFlag::only_shown},
     {"gains", Kind::gains, nullptr, "weight of every octave; they are divided by their sum",
      gains_range, Hint{"cloud shapes have [0.625, 0.25, 0.125]"}, Exclusive{"gains"},
-     When{"type", noises}, Cited{tileable_volume_noise}},
+     When{"type", noises}, Cited{"Hillaire, TileableVolumeNoise"}},
     {"fractal", Kind::choice, &NoiseChannel::fractal, "how octaves of gradient noise are summed",
-     fractal_choices, Default{R"("fbm")"}, When{"type", with_perlin}, Cited{musgrave_1994}},
-};
-
-const NoiseChannelField curl_table[] = {
+     fractal_choices, Default{R"("fbm")"}, When{"type", {"perlin", "perlin_worley"}},
+     Cited{musgrave_1994}},
+    {"worley_frequency", Kind::frequency, nullptr, "frequency of the cellular part",
+     frequency_range, Default{"4"}, Exclusive{"worley_frequencies", "series"},
+     When{"type", "perlin_worley"}, KeyFlag::only_shown},
+    {"worley_octaves", Kind::integer, nullptr, "octaves of the cellular part", octave_range,
+     Default{"3"}, Exclusive{"worley_frequencies", "series"}, When{"type", "perlin_worley"},
+     KeyFlag::only_shown},
+    {"worley_lacunarity", Kind::integer, nullptr, "lacunarity of the cellular part",
+     lacunarity_range, Default{"2"}, Exclusive{"worley_frequencies", "series"},
+     When{"type", "perlin_worley"}, KeyFlag::only_shown},
+    {"worley_frequencies", Kind::frequencies, nullptr, "frequencies of the cellular part",
+     frequency_range, Exclusive{"worley_frequencies"}, When{"type", "perlin_worley"}},
+    {"worley_gain", Kind::number, nullptr, "gain of the cellular part", gain_range, Default{"0.5"},
+     Exclusive{"worley_gains"}, When{"type", "perlin_worley"}, KeyFlag::only_shown},
+    {"worley_gains", Kind::gains, nullptr, "gains of the cellular part", gains_range,
+     Hint{"cloud shapes have [0.625, 0.25, 0.125]"}, Exclusive{"worley_gains"},
+     When{"type", "perlin_worley"}, Cited{schneider_2015}},
+    {"feature", Kind::choice, &NoiseChannel::feature, "which distance d of cellular noise",
+     feature_choices, Default{R"("f1")"}, When{"type", with_worley},
+     Cited{"Worley 1996, A Cellular Texture Basis Function"}},
+    {"value_form", Kind::choice, &NoiseChannel::value_form, "value of cellular noise at distance d",
+     value_form_choices, Default{R"("one_minus_distance")"}, When{"type", with_worley}},
     {"component", Kind::choice, &NoiseChannel::component, "which component of the curl",
-     component_choices, Default{R"("x")"}, When{"type", curl}, Cited{bridson_2007}},
-};
-
-// These make the value of the octaves into that of the channel.
-const NoiseChannelField value_table[] = {
+     component_choices, Default{R"("x")"}, When{"type", "curl"}, Cited{bridson_2007}},
+    {"warp_strength", Kind::number, &NoiseChannel::warp_strength,
+     "displacement, in tiles, where the noise that displaces is 1", Range{-16, 16},
+     Hint{"a quarter of a cell of the first octave curls the noise; metres are divided by the "
+          "length of the tile"},
+     When{"type", warped}, Cited{"Perlin 1985, An Image Synthesizer"}},
+    {"warp_by", Kind::choice, &NoiseChannel::warp_by, "the noise that displaces, by default curl",
+     warp_choices, When{"type", warped}, Cited{bridson_2007}},
+    {"warp_frequency", Kind::frequency, nullptr, "frequency of the noise that displaces",
+     frequency_range, Default{"4"}, Exclusive{"warp_frequencies", "series"}, When{"type", warped},
+     KeyFlag::only_shown},
+    {"warp_octaves", Kind::integer, nullptr, "octaves of the noise that displaces", octave_range,
+     Default{"1"}, Exclusive{"warp_frequencies", "series"}, When{"type", warped},
+     KeyFlag::only_shown},
+    {"warp_lacunarity", Kind::integer, nullptr, "lacunarity of the noise that displaces",
+     lacunarity_range, Default{"2"}, Exclusive{"warp_frequencies", "series"}, When{"type", warped},
+     KeyFlag::only_shown},
+    {"warp_frequencies", Kind::frequencies, nullptr, "frequencies of the noise that displaces",
+     frequency_range, Exclusive{"warp_frequencies"}, When{"type", warped}},
+    {"warp_gain", Kind::number, nullptr, "gain of the noise that displaces", gain_range,
+     Default{"0.5"}, Exclusive{"warp_gains"}, When{"type", warped}, KeyFlag::only_shown},
+    {"warp_gains", Kind::gains, nullptr, "gains of the noise that displaces", gains_range,
+     Exclusive{"warp_gains"}, When{"type", warped}},
+    // These make the value of the octaves into that of the channel.
     {"seed", Kind::seed, &NoiseChannel::seed,
      "seed that is combined with the noise's and makes channels of equal keys differ", Default{"0"},
      When{"type", noises}},
@@ -241,27 +209,17 @@ const NoiseChannelField value_table[] = {
      Default{"false"}},
     {"bias", Kind::number, &NoiseChannel::bias,
      "after invert, the value that 0.5 becomes: v / ((1/bias - 2) (1 - v) + 1) in [0, 1], v beyond",
-     bias_range, Default{"0.5"}, Hint{"0.5 changes nothing"}, Cited{schlick_1994}},
+     bias_range, Default{"0.5"}, Hint{"0.5 changes nothing"},
+     Cited{"Schlick 1994, Fast Alternatives to Perlin's Bias and Gain Functions"}},
     {"clamp", Kind::clamp, &NoiseChannel::clamp,
      "bounds of the values, after everything else; true means [0, 1]", value_range,
      Hint{"integer pixel types hold only [0, 1]"}},
 };
 
-std::vector<NoiseChannelField> joined(
-    std::initializer_list<std::span<const NoiseChannelField>> tables) {
-    std::vector<NoiseChannelField> rows;
-    for (const auto& table : tables) rows.insert(rows.end(), table.begin(), table.end());
-    return rows;
-}
-
 }  // namespace
 
-std::span<const NoiseField> noise_fields() { return noise_table; }
+std::span<const Row<Noise>> noise_fields() { return noise_table; }
 
-std::span<const NoiseChannelField> noise_channel_fields() {
-    static const std::vector<NoiseChannelField> rows =
-        joined({octave_table, cellular_table, curl_table, displacement_table, value_table});
-    return rows;
-}
+std::span<const Row<NoiseChannel>> noise_channel_fields() { return channel_table; }
 
 }  // namespace skybake::config

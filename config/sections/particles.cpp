@@ -58,12 +58,7 @@ void check_radii(const DecodedSection& section, const Particles& particles, Deco
 }
 
 constexpr Range sphere_radius_range{1e-10, 0.1};
-constexpr Range refractive_range{0.01, 100};
 constexpr Range absorption_range{0, 100};
-constexpr Range deviation_range{1, 10, true};
-constexpr Range variance_range{0, 0.5, true, true};
-constexpr Range exponent_range{-0.9, 100};
-constexpr Range decay_range{0.1, 10};
 
 constexpr std::string_view hansen_1974 =
     "Hansen and Travis 1974, Light Scattering in Planetary Atmospheres";
@@ -84,53 +79,47 @@ constexpr Choice sizes_choices[] = {
      "r^alpha exp(-(r / radius)^gamma); rain: alpha = 0, gamma = 1"},
 };
 
-constexpr std::string_view constant_index[] = {"constant"};
-constexpr std::string_view tabulated_index[] = {"tabulated"};
-constexpr std::string_view distributed[] = {"log_normal", "gamma", "modified_gamma"};
-constexpr std::string_view with_radius[] = {"monodisperse", "log_normal", "modified_gamma"};
-constexpr std::string_view log_normal[] = {"log_normal"};
-constexpr std::string_view gamma[] = {"gamma"};
-constexpr std::string_view modified_gamma[] = {"modified_gamma"};
+constexpr Words distributed = {"log_normal", "gamma", "modified_gamma"};
 
-const ParticlesField particles_table[] = {
+const Row<Particles> particles_table[] = {
     {"preset", Kind::text, nullptr, "name of a preset of particles to start from",
      KeyFlag::only_shown},
     {"material", Kind::choice, &Particles::material, "what the spheres are made of",
      material_choices, Default{R"("water")"}},
     {"refractive_index", Kind::number, &Particles::refractive_index,
-     "real part of the refractive index, relative to air", refractive_range, KeyFlag::required,
+     "real part of the refractive index, relative to air", Range{0.01, 100}, KeyFlag::required,
      Hint{"ammonium sulfate has 1.52, mineral dust 1.5 to 1.6, ice 1.31"},
-     When{"material", constant_index}},
+     When{"material", "constant"}},
     {"absorption_index", Kind::number, &Particles::absorption_index,
      "imaginary part of the refractive index; a positive one absorbs", absorption_range,
      Default{"0"}, Hint{"mineral dust has 0.001 to 0.008, soot 0.4 to 0.8"},
-     When{"material", constant_index}},
+     When{"material", "constant"}},
     {"indices", Kind::index_table, &Particles::indices,
      "wavelengths, each with the real and the imaginary part of the refractive index; a positive "
      "imaginary part absorbs",
      absorption_range, KeyFlag::required,
      Hint{"dust of Mars absorbs blue light: [[\"400 nm\", 1.5, 0.01], [\"700 nm\", 1.5, 0.003]]"},
-     When{"material", tabulated_index}},
+     When{"material", "tabulated"}},
     {"sizes", Kind::choice, &Particles::sizes, "distribution of the radii", sizes_choices,
      Default{R"("gamma")"}, Cited{hansen_1974}},
     {"radius", Kind::length, &Particles::radius,
      "radius of all spheres (monodisperse), the median (log_normal) or the scale (modified_gamma)",
      sphere_radius_range, KeyFlag::required, Hint{"haze has 0.05 to 0.5 um"},
-     When{"sizes", with_radius}},
+     When{"sizes", {"monodisperse", "log_normal", "modified_gamma"}}},
     {"geometric_deviation", Kind::number, &Particles::geometric_deviation,
-     "factor about the median within which two thirds of the radii lie", deviation_range,
-     KeyFlag::required, Hint{"haze has 1.5 to 2.3"}, When{"sizes", log_normal}},
+     "factor about the median within which two thirds of the radii lie", Range{1, 10, true},
+     KeyFlag::required, Hint{"haze has 1.5 to 2.3"}, When{"sizes", "log_normal"}},
     {"effective_radius", Kind::length, &Particles::effective_radius,
      "mean radius, weighted by cross-section", sphere_radius_range, KeyFlag::required,
-     Hint{"cloud droplets have 5 to 15 um"}, When{"sizes", gamma}, Cited{hansen_1974}},
+     Hint{"cloud droplets have 5 to 15 um"}, When{"sizes", "gamma"}, Cited{hansen_1974}},
     {"effective_variance", Kind::number, &Particles::effective_variance,
-     "variance of the radii, weighted by cross-section, over their mean squared", variance_range,
-     Default{"0.1"}, Hint{"cloud droplets have 0.05 to 0.2"}, When{"sizes", gamma},
-     Cited{hansen_1974}},
-    {"alpha", Kind::number, &Particles::alpha, "exponent of the small radii", exponent_range,
-     KeyFlag::required, When{"sizes", modified_gamma}, Cited{deirmendjian_1969}},
+     "variance of the radii, weighted by cross-section, over their mean squared",
+     Range{0, 0.5, true, true}, Default{"0.1"}, Hint{"cloud droplets have 0.05 to 0.2"},
+     When{"sizes", "gamma"}, Cited{hansen_1974}},
+    {"alpha", Kind::number, &Particles::alpha, "exponent of the small radii", Range{-0.9, 100},
+     KeyFlag::required, When{"sizes", "modified_gamma"}, Cited{deirmendjian_1969}},
     {"gamma", Kind::number, &Particles::gamma, "exponent of the decay towards large radii",
-     decay_range, Default{"1"}, When{"sizes", modified_gamma}, Cited{deirmendjian_1969}},
+     Range{0.1, 10}, Default{"1"}, When{"sizes", "modified_gamma"}, Cited{deirmendjian_1969}},
     {"smallest_radius", Kind::length, &Particles::smallest_radius,
      "spheres below it are missing; numbers of particles count the whole distribution",
      sphere_radius_range, When{"sizes", distributed}},
@@ -142,16 +131,14 @@ const ParticlesField particles_table[] = {
 
 }  // namespace
 
-Particles decode_particles(const std::string& name, const Place& place, const Table& table,
-                           std::span<const Length> wavelengths, Decoder& decoder) {
-    const std::string path = join_path("particles", name);
-    check_name(name, path, "particles", place, decoder);
-    const DecodedSection section = decode_section(*find_section("particles.*"), path, place, table,
-                                                  Absent::filled_in, decoder);
-    append_values(section, decoder);
+Particles decode_particles(const Entry& entry, std::span<const Length> wavelengths,
+                           Decoder& decoder) {
+    const std::string path = join_path("particles", entry.key);
+    check_name(entry, path, "particles", decoder);
     Particles particles;
-    particles.name = name;
-    bind_section(section, particles_fields(), particles);
+    particles.name = entry.key;
+    const DecodedSection section = decode_into(particles, particles_fields(), "particles.*", path,
+                                               entry.key_place, *as_table(entry.value), decoder);
     if (!decoder.diagnostics.has_errors()) {
         check_material(section, particles, wavelengths, decoder);
         check_radii(section, particles, decoder);
@@ -172,6 +159,6 @@ WavelengthRange range_of(const Particles& particles) {
     return {{0}, {std::numeric_limits<double>::infinity()}};
 }
 
-std::span<const ParticlesField> particles_fields() { return particles_table; }
+std::span<const Row<Particles>> particles_fields() { return particles_table; }
 
 }  // namespace skybake::config

@@ -12,11 +12,6 @@
 namespace skybake::config {
 namespace {
 
-constexpr Range picture_range{16, 8192};  // pixels
-constexpr Range position_range{-1e7, 1e7};
-constexpr Range whole_turn{-2 * std::numbers::pi, 2 * std::numbers::pi};
-constexpr Range longitude_range{-std::numbers::pi, std::numbers::pi};
-constexpr Range field_of_view_range{std::numbers::pi / 180, 160 * std::numbers::pi / 180};
 constexpr Range stops_range{-32, 32};  // beyond this, every pixel is black or white
 
 constexpr Choice tone_curve_choices[] = {
@@ -47,15 +42,11 @@ std::optional<FieldValue> read_moment(const Reader& reader, const Value& value) 
 
 constexpr ValueKind moment_kind{moment_words, read_moment, text_schema};
 
-constexpr std::string_view sun = "sun";
-constexpr std::string_view by_time = "time";
-constexpr std::string_view by_angles = "angles";
-
 // The keys have no default values. So the parameters that a manifest records have only keys that the
 // recipe gives, which its pictures use.
-const PreviewField preview_table[] = {
+const Row<Preview> preview_table[] = {
     {"size", Kind::size, &Preview::size, "width and height of pictures of clouds, in pixels",
-     picture_range, Hint{"960 x 540 without it"}},
+     Range{16, 8192}, Hint{"960 x 540 without it"}},
     {"single", Kind::flag, &Preview::single,
      "whether a single tile of a cloud is shown, framed as a whole, and not the layer that it "
      "repeats to"},
@@ -63,17 +54,18 @@ const PreviewField preview_table[] = {
      camera_altitude_range, Hint{"without it, the camera is at 200 m"}},
     {"sun_elevation", Kind::angles, &Preview::sun_elevation,
      "elevations of the sun, each of which gets a picture", elevation_range,
-     Hint{"without it, skybake chooses them"}, Exclusive{sun, by_angles}},
+     Hint{"without it, skybake chooses them"}, Exclusive{"sun", "angles"}},
     {"sun_azimuth", Kind::angle, &Preview::sun_azimuth,
-     "where the sun of clouds stands, from +x towards +y", whole_turn,
-     Hint{"without it, the sun stands 112 deg to the left of the view"}, Exclusive{sun, by_angles}},
+     "where the sun of clouds stands, from +x towards +y", turn_range,
+     Hint{"without it, the sun stands 112 deg to the left of the view"},
+     Exclusive{"sun", "angles"}},
     {"at", moment_kind, &Preview::at,
      "date and time that place the sun, at latitude and longitude; +y is north and +x is east",
-     Exclusive{sun, by_time}, Cited{"Meeus 1998, Astronomical Algorithms, chapter 25"}},
+     Exclusive{"sun", "time"}, Cited{"Meeus 1998, Astronomical Algorithms, chapter 25"}},
     {"latitude", Kind::angle, &Preview::latitude, "latitude of the place, positive in the north",
      elevation_range},
     {"longitude", Kind::angle, &Preview::longitude, "longitude of the place, positive in the east",
-     longitude_range},
+     Range{-std::numbers::pi, std::numbers::pi}},
     {"exposure", Kind::number, &Preview::exposure, "exposure in stops; 0 is a factor of 1",
      stops_range, Hint{"without it, skybake chooses one for each picture"}},
     {"tone_curve", Kind::choice, &Preview::tone_curve,
@@ -84,14 +76,15 @@ const PreviewField preview_table[] = {
      Hint{"without it, there is no glare"}},
 };
 
-const PreviewCameraField camera_table[] = {
+const Row<PreviewCamera> camera_table[] = {
     {"position", Kind::lengths, &PreviewCamera::position,
-     "x and y from the tile's corner, and the altitude above the ground", position_range},
+     "x and y from the tile's corner, and the altitude above the ground", Range{-1e7, 1e7}},
     {"heading", Kind::angle, &PreviewCamera::heading, "where the camera looks, from +x towards +y",
-     whole_turn},
+     turn_range},
     {"pitch", Kind::angle, &PreviewCamera::pitch, "how far above the horizontal it looks",
      elevation_range},
-    {"fov", Kind::angle, &PreviewCamera::fov, "angle across the picture", field_of_view_range},
+    {"fov", Kind::angle, &PreviewCamera::fov, "angle across the picture",
+     Range{std::numbers::pi / 180, 160 * std::numbers::pi / 180}},
 };
 
 bool is_one_of(std::string_view key, std::initializer_list<std::string_view> keys) {
@@ -100,9 +93,9 @@ bool is_one_of(std::string_view key, std::initializer_list<std::string_view> key
 
 }  // namespace
 
-std::span<const PreviewField> preview_fields() { return preview_table; }
+std::span<const Row<Preview>> preview_fields() { return preview_table; }
 
-std::span<const PreviewCameraField> preview_camera_fields() { return camera_table; }
+std::span<const Row<PreviewCamera>> preview_camera_fields() { return camera_table; }
 
 std::string_view why_unused(std::string_view key, const PicturesOfLight& pictures) {
     if (is_one_of(key, {"altitude", "glare"}) && !pictures.sky) {

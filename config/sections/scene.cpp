@@ -20,10 +20,7 @@ constexpr Choice draws_choices[] = {
     {Draws::clouds, "clouds", "each of [clouds] in sunlight"},
 };
 
-constexpr Range size_range_mib{0, 1 << 20, true};
-constexpr Range fetch_range{1, 1e6};
-
-const SceneField scene_table[] = {
+const Row<Scene> scene_table[] = {
     {"altitude", Kind::length_bounds, &Scene::altitude,
      "altitudes of the cameras, from the lowest to the highest", camera_altitude_range,
      Default{R"(["0 km", "3 km"])"}},
@@ -49,13 +46,14 @@ const SceneField scene_table[] = {
      "largest RMS error of a cloud's picture, as a share of white, that `skybake plan` may choose",
      lookup_error_range, Role::usual},
     {"max_size_mib", Kind::number, &Scene::max_size_mib,
-     "most MiB of textures that `skybake plan` may choose for each", size_range_mib, Role::usual},
+     "most MiB of textures that `skybake plan` may choose for each", Range{0, 1 << 20, true},
+     Role::usual},
     {"max_fetches", Kind::number, &Scene::max_fetches,
-     "most texture fetches per pixel that `skybake plan` may choose", fetch_range, Role::usual},
+     "most texture fetches per pixel that `skybake plan` may choose", Range{1, 1e6}, Role::usual},
 };
 
 }  // namespace
 
-std::span<const SceneField> scene_fields() { return scene_table; }
+std::span<const Row<Scene>> scene_fields() { return scene_table; }
 
 }  // namespace skybake::config

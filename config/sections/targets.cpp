@@ -1,4 +1,3 @@
-// The table of targets. What is asked of it stands in targets.cpp.
 #include "config/sections/targets.h"
 
 #include <algorithm>
@@ -10,11 +9,10 @@
 #include "config/sections/frames.h"
 
 namespace skybake::config {
-
 namespace {
 
 bool has_word(const std::vector<std::string_view>& words, std::string_view word) {
-    return std::find(words.begin(), words.end(), word) != words.end();
+    return std::ranges::find(words, word) != words.end();
 }
 
 using Words = std::vector<std::string_view>;
@@ -227,11 +225,8 @@ std::vector<TargetFacts> make_targets() {
 }  // namespace
 
 const TargetFacts& facts_of(Target target) {
-    const auto all = targets();
-    const auto found = std::find_if(all.begin(), all.end(), [target](const TargetFacts& facts) {
-        return facts.target == target;
-    });
-    assert(found != all.end());
+    const auto found = std::ranges::find(targets(), target, &TargetFacts::target);
+    assert(found != targets().end());
     return *found;
 }
 

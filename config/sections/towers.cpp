@@ -7,12 +7,12 @@
 #include <limits>
 #include <span>
 #include <string>
-#include <string_view>
 #include <tuple>
 #include <utility>
 
 #include "config/fields/fields.h"
 #include "config/sections/sections.h"
+#include "config/text/mapped.h"
 
 namespace skybake::config {
 
@@ -24,7 +24,7 @@ Table named_by_index(Array items) {
         const Place place = items[i].place;
         table.push_back({std::to_string(i), place, std::move(items[i])});
     }
-    std::ranges::sort(table, [](const Entry& a, const Entry& b) { return a.key < b.key; });
+    std::ranges::sort(table, {}, &Entry::key);
     return table;
 }
 
@@ -52,36 +52,30 @@ std::string fault_of_life(const TowerLife& tower, const Cloud& cloud) {
 
 bool is_whole(double tiles) { return tiles == std::floor(tiles); }
 
-constexpr Range center_range{-16, 16};  // tiles
-constexpr Range sigma_range{1e-6, 16};  // tiles
-constexpr Range angle_range{-1e3, 1e3};
-constexpr Range correlation_range{-0.999999, 0.999999};
-constexpr Range amplitude_range{0, 1e6};
-
 constexpr ValueKind life_kind = list_kind("three numbers, such as [0.4, 0.3, 0.3]", read_triple,
                                           numbers_schema, &Scales::plain, 3, 3);
 
-constexpr std::string_view byers_1949 = "Byers and Braham 1949, The Thunderstorm";
-
-const TowerField tower_table[] = {
-    {"center", Kind::pair, &Tower::center, "x and y of the tower's middle, in tiles", center_range,
-     KeyFlag::required, Hint{"[0.5, 0.5] is the middle of the cloud"}, Cited{olajos_2016}},
+const Row<Tower> tower_table[] = {
+    {"center", Kind::pair, &Tower::center, "x and y of the tower's middle, in tiles",
+     Range{-16, 16}, KeyFlag::required, Hint{"[0.5, 0.5] is the middle of the cloud"},
+     Cited{olajos_2016}},
     {"sigma", Kind::pair, &Tower::sigma, "standard deviations along the tower's own axes, in tiles",
-     sigma_range, KeyFlag::required, Hint{"for example [0.03, 0.06]"}, Cited{olajos_2016}},
+     Range{1e-6, 16}, KeyFlag::required, Hint{"for example [0.03, 0.06]"}, Cited{olajos_2016}},
     {"rotation", Kind::angle, &Tower::rotation,
-     "angle of the tower's axes against x and y, counterclockwise", angle_range,
+     "angle of the tower's axes against x and y, counterclockwise", Range{-1e3, 1e3},
      Default{R"("0 deg")"}},
     {"correlation", Kind::number, &Tower::correlation,
-     "correlation between the tower's own axes, before rotation", correlation_range, Default{"0"}},
+     "correlation between the tower's own axes, before rotation", Range{-0.999999, 0.999999},
+     Default{"0"}},
     {"amplitude", Kind::number, &Tower::amplitude,
-     "what the tower adds to the height profile at its middle", amplitude_range, KeyFlag::required,
+     "what the tower adds to the height profile at its middle", Range{0, 1e6}, KeyFlag::required,
      Cited{olajos_2016}},
     {"life", life_kind, &Tower::life,
      "how long the tower grows, stays and dissolves, as shares of the cloud's `period`; without it "
      "the tower stands",
      unit_range,
      Hint{"after shares that add up to 1, such as [0.4, 0.3, 0.3], it is born again at once"},
-     Cited{byers_1949}},
+     Cited{"Byers and Braham 1949, The Thunderstorm"}},
     {"grows_from", Kind::number, &Tower::grows_from,
      "width of a tower that is born, as a share of its full width; its height grows from 0",
      unit_range, Default{"0.4"}, Needs{"life"}},
@@ -90,25 +84,16 @@ const TowerField tower_table[] = {
      Needs{"life"}},
 };
 
-constexpr Range cells_range{8, 512};
-constexpr Range layer_range{1, 1e4};
-constexpr Range inversion_range{1e-4, 1e8};  // 0.7 times any extent lies within
-constexpr Range instability_range{-20, 20};
+constexpr Range inversion_range{1e-4, 1e8};   // 0.7 times any extent lies within
 constexpr Range temperature_range{240, 308};  // Bolton's formula of saturation holds
 constexpr Range wind_range{-200, 200};
-constexpr Range patches_range{0, 10000};
-constexpr Range width_range{1, 1e6};
-constexpr Range warmth_range{0, 20};
-constexpr Range relief_range{0, 1};
-constexpr Range minutes_range{.minimum = 0, .maximum = 600, .open_minimum = true};
-constexpr Range loop_range{0, 600};
 
-const ConvectionField convection_table[] = {
+const Row<Convection> convection_table[] = {
     {"cells", Kind::voxels, &Convection::cells,
-     "cells over the cloud's extent along x, y and z, in which the air moves", cells_range,
+     "cells over the cloud's extent along x, y and z, in which the air moves", Range{8, 512},
      KeyFlag::required, Hint{"products of 2, 3 and 5, along x and y even; edges of 20 to 50 m"}},
     {"mixed_layer", Kind::length, &Convection::mixed_layer,
-     "depth of the layer below the base, from whose floor warm air rises", layer_range,
+     "depth of the layer below the base, from whose floor warm air rises", Range{1, 1e4},
      Default{R"("600 m")"}, Hint{"it adds cells below the cloud"}},
     {"inversion", Kind::length, &Convection::inversion,
      "height above the base at which stable air begins; 0.7 times that of the extent by default",
@@ -116,7 +101,7 @@ const ConvectionField convection_table[] = {
     {"instability", Kind::number, &Convection::instability,
      "kelvin per kilometre by which the air below the inversion cools faster than what rises in "
      "cloud",
-     instability_range, Default{"1.5"}, Hint{"0.5 keeps cumulus low, 3 makes towers"}},
+     Range{-20, 20}, Default{"1.5"}, Hint{"0.5 keeps cumulus low, 3 makes towers"}},
     {"temperature", Kind::number, &Convection::temperature, "temperature at the base in kelvin",
      temperature_range, Default{"288"}, Hint{"warmer air holds more water"}},
     {"humidity", Kind::fraction, &Convection::humidity, "relative humidity above the base",
@@ -127,23 +112,23 @@ const ConvectionField convection_table[] = {
     {"wind_above", Kind::pair, &Convection::wind_above,
      "wind along x and y at the inversion, in m/s", wind_range, Default{"[0, 0]"}},
     {"patches", Kind::integer, &Convection::patches, "number of warm patches of ground",
-     patches_range, Default{"12"}},
+     Range{0, 10000}, Default{"12"}},
     {"patch_width", Kind::length_bounds, &Convection::patch_width,
-     "range of the width of a patch, within which it is warmer by more than 1/e", width_range,
+     "range of the width of a patch, within which it is warmer by more than 1/e", Range{1, 1e6},
      Default{R"(["0.4 km", "1.2 km"])"}},
     {"warmth", Kind::number, &Convection::warmth, "kelvin by which air above a patch is warmed",
-     warmth_range, Default{"0.6"}},
+     Range{0, 20}, Default{"0.6"}},
     {"seed", Kind::seed, &Convection::seed, "another seed gives other patches", Default{"1"}},
     {"minutes", Kind::number, &Convection::minutes, "minutes for which the cloud grows",
-     minutes_range, Default{"20"}},
+     Range{.minimum = 0, .maximum = 600, .open_minimum = true}, Default{"20"}},
     {"loop_minutes", Kind::number, &Convection::loop_minutes,
      "minutes of the flow that a loop of the cloud's `period` frames shows, at most those "
      "for which it grows; two seconds per frame by default",
-     loop_range, Hint{"the last frames of a loop turn into the first ones"}},
+     Range{0, 600}, Hint{"the last frames of a loop turn into the first ones"}},
     {"relief", Kind::number, &Convection::relief,
      "how far the cloud's detail noise moves its edge, outwards where the noise is 1 and inwards "
      "where it is 0, as a share of the width of the largest billows of the noise",
-     relief_range, Default{"0.7"},
+     Range{0, 1}, Default{"0.7"},
      Hint{"it is less near the base, which stays flat, and near the top"}},
 };
 
@@ -170,11 +155,8 @@ void name_listed_towers(Table& root) {
 }
 
 std::vector<const Entry*> towers_in_order(const Table& towers) {
-    std::vector<const Entry*> entries;
-    for (const Entry& entry : towers) entries.push_back(&entry);
-    std::ranges::sort(entries, [](const Entry* a, const Entry* b) {
-        return order_of(a->key) < order_of(b->key);
-    });
+    auto entries = mapped<const Entry*>(towers, [](const Entry& entry) { return &entry; });
+    std::ranges::sort(entries, {}, [](const Entry* entry) { return order_of(entry->key); });
     return entries;
 }
 
@@ -188,8 +170,7 @@ bool cloud_moves(const Cloud& cloud) {
 
 void check_life(const DecodedSection& section, const TowerLife& tower, const Cloud& cloud,
                 Decoder& decoder) {
-    const DecodedField& life = section.at("life");
-    if (life.source && life.value) {
+    if (section.at("life").value) {
         const std::string fault = fault_of_life(tower, cloud);
         if (fault.empty()) return;
         decoder.report("E0182", section, "life", "is no life within a loop",
@@ -221,8 +202,8 @@ double narrowest_sigma(const Tower& tower, const std::array<int, 3>& size) {
     return std::sqrt(std::max(0.0, lesser));  // rounding may take it below 0
 }
 
-std::span<const TowerField> tower_fields() { return tower_table; }
+std::span<const Row<Tower>> tower_fields() { return tower_table; }
 
-std::span<const ConvectionField> convection_fields() { return convection_table; }
+std::span<const Row<Convection>> convection_fields() { return convection_table; }
 
 }  // namespace skybake::config

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <utility>
 
 #include "config/fields/fields.h"
 #include "config/fields/section_decoder.h"
@@ -11,73 +12,38 @@
 #include "config/text/key_path.h"
 
 namespace skybake::config {
-
 namespace {
 
 VolumeProbe the_probe = nullptr;
 
-// This is one volume while its keys are checked.
-struct VolumeDecoder {
-    const DecodedSection& section;
-    VolumeFile& volume;
-    Decoder& decoder;
+// Reports one of two keys that need each other.
+void check_pair(const DecodedSection& section, std::string_view first, std::string_view second,
+                Decoder& decoder) {
+    if (section.gives(first) == section.gives(second) || !decoder.complete) return;
+    if (!section.gives(first)) std::swap(first, second);
+    decoder.report("E0105", section, first, fmt::format("needs {} beside it", second),
+                   fmt::format("give {}, or leave both out", second));
+}
 
-    bool gives(std::string_view key) const { return section.at(key).source != nullptr; }
+// Each length is above 0, where the key is given at all.
+void check_positive(const DecodedSection& section, std::string_view key, Decoder& decoder) {
+    const auto* lengths = section.value<std::array<double, 3>>(key);
+    if (!lengths || std::ranges::all_of(*lengths, [](double meters) { return meters > 0; })) return;
+    decoder.report("E0110", section, key, "has a length that is not above 0",
+                   "give three lengths above 0");
+}
 
-    // Files are looked for where includes are: in the folder of the recipe that names them.
-    void resolve_path() const {
-        const DecodedField& file = section.at("file");
-        if (!file.source || !file.value) return;
-        if (volume.file.empty()) {
-            return decoder.report("E0110", section, "file", "is empty",
-                                  "give the name of a volume's file");
-        }
-        const Source* source = file.source->place.source;
-        const std::filesystem::path folder = source ? source->folder : std::filesystem::path();
-        volume.file_place = source_range(file.source->place);
-        volume.path = (folder / volume.file).lexically_normal();
-    }
-
-    void check_pair(std::string_view first, std::string_view second) const {
-        if (gives(first) == gives(second) || !decoder.complete) return;
-        const std::string_view missing = gives(first) ? second : first;
-        decoder.report("E0105", section, gives(first) ? first : second,
-                       fmt::format("needs {} beside it", missing),
-                       fmt::format("give {}, or leave both out", missing));
-    }
-
-    // Each length is above 0, where the key is given at all.
-    void check_positive(std::string_view key, const std::array<Length, 3>& lengths) const {
-        const auto is_positive = [](Length length) { return length.meters > 0; };
-        if (!section.at(key).value) return;
-        if (std::ranges::all_of(lengths, is_positive)) return;
-        decoder.report("E0110", section, key, "has a length that is not above 0",
-                       "give three lengths above 0");
-    }
-
-    void check_keys() const {
-        check_pair("crop_first", "crop_size");
-        check_pair("crop_corner", "crop_extent");
-        check_positive("voxel_size", volume.voxel_size);
-        check_positive("crop_extent", volume.crop_extent);
-        const bool is_grid =
-            volume.format == VolumeFormat::vdb || volume.format == VolumeFormat::nvdb;
-        const bool says_size = is_grid || gives("voxel_size");
-        if (says_size || !decoder.complete) return;
-        decoder.report("E0105", section, "voxel_size",
-                       "is missing: these files do not say how large a voxel is",
-                       "give three lengths, such as [\"10 m\", \"10 m\", \"10 m\"]");
-    }
-};
-
-constexpr Range volume_voxels_range{1, 16384};
-constexpr Range volume_index_range{-1e6, 1e6};
-constexpr Range volume_byte_range{0, 2147483647};
-constexpr Range volume_edge_range{1e-6, 1e8};
-constexpr Range volume_place_range{-1e9, 1e9};
-constexpr Range volume_crop_range{1e-6, 1e9};
-constexpr Range volume_scale_range{1e-9, 1e9};
-constexpr Range volume_border_range{0, 4096};
+void check_keys(const DecodedSection& section, VolumeFormat format, Decoder& decoder) {
+    check_pair(section, "crop_first", "crop_size", decoder);
+    check_pair(section, "crop_corner", "crop_extent", decoder);
+    check_positive(section, "voxel_size", decoder);
+    check_positive(section, "crop_extent", decoder);
+    const bool says_size = format != VolumeFormat::raw || section.gives("voxel_size");
+    if (says_size || !decoder.complete) return;
+    decoder.report("E0105", section, "voxel_size",
+                   "is missing: these files do not say how large a voxel is",
+                   "give three lengths, such as [\"10 m\", \"10 m\", \"10 m\"]");
+}
 
 constexpr Choice volume_format_choices[] = {
     {VolumeFormat::vdb, "vdb", "an OpenVDB file with a grid of float, double, int32 or int64"},
@@ -116,53 +82,50 @@ constexpr Choice volume_not_finite_choices[] = {
     {NotFinite::background, "background", "the file's background, 0 for raw"},
 };
 
-constexpr std::string_view of_grids[] = {"vdb", "nvdb"};
-constexpr std::string_view of_raw[] = {"raw"};
-
-const VolumeField volume_table[] = {
+const Row<VolumeFile> volume_table[] = {
     {"file", Kind::text, &VolumeFile::file, "the volume's file", KeyFlag::required,
      Hint{"for example \"cloud.vdb\"; relative to the folder of the recipe"}},
     {"format", Kind::choice, &VolumeFile::format, "what the file is", volume_format_choices,
      Default{R"("vdb")"}},
     {"grid", Kind::text, &VolumeFile::grid,
      "name of the grid; density by default, or the file's only grid of numbers",
-     When{"format", of_grids}},
-    {"size", Kind::voxels, &VolumeFile::size, "voxels along the file's x, y and z",
-     volume_voxels_range, KeyFlag::required, When{"format", of_raw}},
+     When{"format", {"vdb", "nvdb"}}},
+    {"size", Kind::voxels, &VolumeFile::size, "voxels along the file's x, y and z", texel_range,
+     KeyFlag::required, When{"format", "raw"}},
     {"type", Kind::choice, &VolumeFile::type, "how a number is stored", volume_type_choices,
-     Default{R"("float32")"}, When{"format", of_raw}},
+     Default{R"("float32")"}, When{"format", "raw"}},
     {"byte_order", Kind::choice, &VolumeFile::byte_order, "order of the bytes of a number",
-     volume_byte_order_choices, Default{R"("little")"}, When{"format", of_raw}},
+     volume_byte_order_choices, Default{R"("little")"}, When{"format", "raw"}},
     {"axis_order", Kind::choice, &VolumeFile::axis_order,
      "the axes from the fastest to the slowest", volume_axis_order_choices, Default{R"("xyz")"},
-     When{"format", of_raw}},
+     When{"format", "raw"}},
     {"offset", Kind::integer, &VolumeFile::offset, "bytes before the first voxel",
-     volume_byte_range, Default{"0"}, When{"format", of_raw}},
+     Range{0, 2147483647}, Default{"0"}, When{"format", "raw"}},
     {"voxel_size", Kind::lengths, &VolumeFile::voxel_size,
      "edges of a voxel along the file's x, y and z; an OpenVDB or NanoVDB file says them itself, "
      "in metres, unless this key replaces them",
-     volume_edge_range},
+     Range{1e-6, 1e8}},
     {"crop_first", Kind::voxels, &VolumeFile::crop_first,
-     "index of the first voxel that counts, along the file's axes", volume_index_range,
+     "index of the first voxel that counts, along the file's axes", Range{-1e6, 1e6},
      Exclusive{"crop", "voxels"}},
     {"crop_size", Kind::voxels, &VolumeFile::crop_size,
-     "number of voxels that count; by default all of the file's", volume_voxels_range,
+     "number of voxels that count; by default all of the file's", texel_range,
      Hint{"what the crop has beyond the file is background"}, Exclusive{"crop", "voxels"}},
     {"crop_corner", Kind::lengths, &VolumeFile::crop_corner,
-     "lower corner of the part that counts, in the file's space", volume_place_range,
+     "lower corner of the part that counts, in the file's space", Range{-1e9, 1e9},
      Hint{"it is rounded to whole voxels"}, Exclusive{"crop", "lengths"}},
     {"crop_extent", Kind::lengths, &VolumeFile::crop_extent,
-     "how far the part that counts reaches from its corner", volume_crop_range,
+     "how far the part that counts reaches from its corner", Range{1e-6, 1e9},
      Exclusive{"crop", "lengths"}},
     {"up_axis", Kind::choice, &VolumeFile::up_axis, "which of the file's axes points up",
      volume_up_choices, Default{R"("z")"}},
     {"scale", Kind::number, &VolumeFile::scale,
-     "factor from the file's numbers to the cloud's values", volume_scale_range, Default{"1"}},
+     "factor from the file's numbers to the cloud's values", Range{1e-9, 1e9}, Default{"1"}},
     {"wrap", Kind::choice, &VolumeFile::wrap, "what voxels at the volume's faces are mixed with",
      volume_wrap_choices, Default{R"("empty")"},
      Hint{"the cloud repeats along x and y in any case"}},
     {"border", Kind::integer, &VolumeFile::border,
-     "voxels of background that are added at the four sides", volume_border_range, Default{"0"},
+     "voxels of background that are added at the four sides", Range{0, 4096}, Default{"0"},
      Hint{"they keep the tiles of a cloud apart"}},
     {"not_finite", Kind::choice, &VolumeFile::not_finite,
      "what voxels that are NaN or infinite mean", volume_not_finite_choices,
@@ -175,22 +138,30 @@ void set_volume_probe(VolumeProbe probe) { the_probe = probe; }
 
 VolumeProbe volume_probe() { return the_probe; }
 
-VolumeFile decode_volume(const std::string& name, const Place& place, const Table& table,
-                         Place& file_place, Decoder& decoder) {
-    const std::string path = join_path("volumes", name);
+std::filesystem::path path_of_file(const DecodedSection& section, std::string_view what,
+                                   Decoder& decoder) {
+    const auto* name = section.value<std::string>("file");
+    if (!name) return {};
+    if (name->empty()) {
+        decoder.report("E0110", section, "file", "is empty",
+                       fmt::format("give the name of {}", what));
+        return {};
+    }
+    return (section.place_of("file").source->folder / *name).lexically_normal();
+}
+
+VolumeFile decode_volume(const Entry& entry, Decoder& decoder) {
     VolumeFile volume;
-    volume.name = name;
+    volume.name = entry.key;
     const DecodedSection section =
-        decode_section(*find_section("volumes.*"), path, place, table, Absent::filled_in, decoder);
-    append_values(section, decoder);
-    bind_section(section, volume_fields(), volume);
-    const VolumeDecoder reader{section, volume, decoder};
-    reader.resolve_path();
-    reader.check_keys();
-    file_place = section.place_of("file");
+        decode_into(volume, volume_fields(), "volumes.*", join_path("volumes", entry.key),
+                    entry.key_place, *as_table(entry.value), decoder);
+    volume.path = path_of_file(section, "a volume's file", decoder);
+    if (!volume.path.empty()) volume.file_place = source_range(section.place_of("file"));
+    check_keys(section, volume.format, decoder);
     return volume;
 }
 
-std::span<const VolumeField> volume_fields() { return volume_table; }
+std::span<const Row<VolumeFile>> volume_fields() { return volume_table; }
 
 }  // namespace skybake::config

@@ -47,21 +47,18 @@ std::vector<std::string> variant_settings(const Sweep& sweep, int index) {
 
 namespace {
 
-// These are the keys of [sweep] itself and of a range in it. All other keys of [sweep] are paths of
-// keys.
-constexpr Range value_count_range{2, most_variants};
-constexpr Range points_range{1, most_variants};
-
 constexpr Choice scale_choices[] = {
     {SweepScale::linear, "linear", "equal differences"},
     {SweepScale::log, "log", "equal ratios, which need from and to above 0"},
 };
 
+// These are the keys of [sweep] itself and of a range in it. All other keys of [sweep] are paths of
+// keys.
 constexpr std::array sweep_table = {
     key("zip", Kind::path_groups,
         "keys varied in lockstep instead of crossed, with equally many values each"),
     key("sobol", Kind::integer, "points of a Sobol sequence that cover all ranges without a count",
-        points_range, Hint{"a power of two covers them best"},
+        Range{1, most_variants}, Hint{"a power of two covers them best"},
         Cited{"Joe and Kuo 2008, Constructing Sobol sequences with better two-dimensional "
               "projections"}),
 };
@@ -70,7 +67,8 @@ constexpr std::array range_table = {
     key("from", Kind::swept, "the first value, written as the key takes it", KeyFlag::required),
     key("to", Kind::swept, "the last value; Sobol points stay below it", KeyFlag::required),
     key("count", Kind::integer,
-        "number of values, with both ends; without it `sobol` says how many", value_count_range),
+        "number of values, with both ends; without it `sobol` says how many",
+        Range{2, most_variants}),
     key("scale", Kind::choice, "how the values are spaced", scale_choices, Default{R"("linear")"}),
 };
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <tuple>
 
 #include "config/diagnostics/toml_source.h"
 #include "config/fields/field_reader.h"
@@ -51,16 +50,10 @@ struct SweepReader {
 
     // Returns all entries except the section's own keys, in the order in which they are written.
     std::vector<const Entry*> entries() const {
-        std::vector<const Entry*> result;
-        for (const Entry& entry : table) {
-            if (!find_field(*find_section("sweep"), entry.key)) result.push_back(&entry);
-        }
-        const auto place = [](const Entry* entry) {
-            const Place& at = entry->key_place;
-            return std::tuple(at.source ? at.source->order : 0, at.line, at.column);
-        };
-        std::ranges::stable_sort(
-            result, [&](const Entry* a, const Entry* b) { return place(a) < place(b); });
+        std::vector<const Entry*> result = in_reading_order(table);
+        std::erase_if(result, [](const Entry* entry) {
+            return find_field(*find_section("sweep"), entry->key) != nullptr;
+        });
         return result;
     }
 

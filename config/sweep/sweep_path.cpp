@@ -41,23 +41,9 @@ struct PathReader {
     const Place& place;
     Decoder& decoder;
 
-    void error(std::string message, std::string label) const {
+    std::nullopt_t error(std::string message, std::string label) const {
         decoder.diagnostics.error("E0102", place, std::move(message), std::move(label));
-    }
-
-    void report_no_path() const {
-        error(fmt::format("`{}` in [sweep] is not the path of a key", shorten(path)),
-              "for example \"clouds.cumulus.coverage\", in quotes");
-    }
-
-    void report_no_section() const {
-        error(fmt::format("no table of a recipe has a key `{}`", shorten(path)),
-              "`skybake explain` lists all keys");
-    }
-
-    void report_of_pictures() const {
-        error(fmt::format("`{}` changes pictures alone", shorten(path)),
-              "a sweep varies what is baked; `skybake preview` takes this as an option");
+        return std::nullopt;
     }
 
     // Returns where a table of the recipe has the key, or one whose last words are these.
@@ -73,8 +59,8 @@ struct PathReader {
         return "";
     }
 
-    void report_no_key(const Section& section, const std::string& table,
-                       const std::string& key) const {
+    std::nullopt_t report_no_key(const Section& section, const std::string& table,
+                                 const std::string& key) const {
         std::string label = did_you_mean(key, field_keys(section));
         if (label.empty()) label = path_meant(key);
         if (label.empty()) {
@@ -84,7 +70,7 @@ struct PathReader {
         }
         const std::string where =
             table.empty() ? "at the top level" : fmt::format("in [{}]", shorten(table));
-        error(fmt::format("unknown key `{}` {}", shorten(key), where), std::move(label));
+        return error(fmt::format("unknown key `{}` {}", shorten(key), where), std::move(label));
     }
 
     // Whether each table that the user names is one of the recipe's.
@@ -121,8 +107,8 @@ std::optional<SweptKey> find_swept_key(const Table& root, const std::string& pat
     const PathReader reader{root, path, place, decoder};
     auto names = split_path(path);
     if (!names) {
-        reader.report_no_path();
-        return std::nullopt;
+        return reader.error(fmt::format("`{}` in [sweep] is not the path of a key", shorten(path)),
+                            "for example \"clouds.cumulus.coverage\", in quotes");
     }
     const std::string key = names->back();
     names->pop_back();
@@ -131,19 +117,17 @@ std::optional<SweptKey> find_swept_key(const Table& root, const std::string& pat
     result.path = join_path(result.table, key);
     result.section = section_at(root, *names);
     if (!result.section) {
-        reader.report_no_section();
-        return std::nullopt;
+        return reader.error(fmt::format("no table of a recipe has a key `{}`", shorten(path)),
+                            "`skybake explain` lists all keys");
     }
     if (result.section->path.starts_with("preview")) {
-        reader.report_of_pictures();
-        return std::nullopt;
+        return reader.error(
+            fmt::format("`{}` changes pictures alone", shorten(path)),
+            "a sweep varies what is baked; `skybake preview` takes this as an option");
     }
     if (!reader.has_named_tables(*names, *result.section)) return std::nullopt;
     result.field = find_field(*result.section, key);
-    if (!result.field) {
-        reader.report_no_key(*result.section, result.table, key);
-        return std::nullopt;
-    }
+    if (!result.field) return reader.report_no_key(*result.section, result.table, key);
     return result;
 }
 

@@ -131,38 +131,29 @@ SweepValue spelled(const SweptRange& range, double number) {
     return {toml_string(quantity), quantity};
 }
 
-struct RangeReader {
-    const Field& field;
-    const std::string& path;
-    const Entry& entry;
-    Decoder& decoder;
-
-    void error(const Place& place, std::string message, std::string label) const {
-        decoder.diagnostics.error("E0135", place, std::move(message), std::move(label));
+bool check_ends(const SweptRange& range, const Value& from, const Value& to,
+                const std::string& path, Decoder& decoder) {
+    const auto refuse = [&](const Value& at, std::string message, std::string label) {
+        decoder.diagnostics.error("E0135", at.place, std::move(message), std::move(label));
+        return false;
+    };
+    const double largest = std::max(std::fabs(range.from), std::fabs(range.to));
+    const double most = range.whole ? largest_whole_end : largest_end;
+    if (!std::isfinite(range.from) || !std::isfinite(range.to) || largest > most) {
+        return refuse(
+            to, fmt::format("the range of `{}` goes too far", path),
+            fmt::format("at most {} are allowed; list the values instead", number_to_string(most)));
     }
-
-    bool check_ends(const SweptRange& range, const Value& from, const Value& to) const {
-        const double largest = std::max(std::fabs(range.from), std::fabs(range.to));
-        const double most = range.whole ? largest_whole_end : largest_end;
-        if (!std::isfinite(range.from) || !std::isfinite(range.to) || largest > most) {
-            error(to.place, fmt::format("the range of `{}` goes too far", path),
-                  fmt::format("at most {} are allowed; list the values instead",
-                              number_to_string(most)));
-            return false;
-        }
-        if (range.from == range.to) {
-            error(to.place, fmt::format("the range of `{}` ends where it begins", path),
-                  "give `to` another value, or list the one value: [...]");
-            return false;
-        }
-        if (range.log && !(std::min(range.from, range.to) >= smallest_log_end)) {
-            error(from.place, fmt::format("the log range of `{}` is not above 0", path),
-                  "from and to must be above 0 where scale = \"log\"");
-            return false;
-        }
-        return true;
+    if (range.from == range.to) {
+        return refuse(to, fmt::format("the range of `{}` ends where it begins", path),
+                      "give `to` another value, or list the one value: [...]");
     }
-};
+    if (range.log && !(std::min(range.from, range.to) >= smallest_log_end)) {
+        return refuse(from, fmt::format("the log range of `{}` is not above 0", path),
+                      "from and to must be above 0 where scale = \"log\"");
+    }
+    return true;
+}
 
 }  // namespace
 
@@ -185,24 +176,24 @@ bool check_form(const Field& field, const std::string& path, const Value& value,
 
 std::optional<SweptRange> read_range(const Field& field, const std::string& path,
                                      const Entry& entry, Decoder& decoder) {
-    const RangeReader reader{field, path, entry, decoder};
     if (field.kind.swept == RangeOver::nothing) {
-        reader.error(entry.key_place, fmt::format("`{}` cannot vary over a range", path),
-                     fmt::format("list its values, each {}", field.kind.words));
+        decoder.diagnostics.error("E0135", entry.key_place,
+                                  fmt::format("`{}` cannot vary over a range", path),
+                                  fmt::format("list its values, each {}", field.kind.words));
         return std::nullopt;
     }
-    const DecodedSection section =
-        decode_section(*find_section("sweep.*"), join_path("sweep", path), entry.key_place,
-                       *as_table(entry.value), Absent::filled_in, decoder);
     const Table& keys = *as_table(entry.value);
+    const DecodedSection section =
+        decode_section(*find_section("sweep.*"), join_path("sweep", path), entry.key_place, keys,
+                       Absent::filled_in, decoder);
     const bool has_unknown_keys = std::ranges::any_of(
         keys, [&](const Entry& key) { return !find_field(*find_section("sweep.*"), key.key); });
     const DecodedField& from = section.at("from");
     const DecodedField& to = section.at("to");
-    const DecodedField& count = section.at("count");
-    const DecodedField& scale = section.at("scale");
-    const bool count_at_fault = count.source && !count.value;
-    if (!from.value || !to.value || !scale.value || count_at_fault || has_unknown_keys) {
+    const auto scale = choice_of<SweepScale>(section.at("scale"));
+    const std::optional<int> count = section.whole("count");
+    const bool count_at_fault = section.gives("count") && !count;
+    if (!from.value || !to.value || !scale || count_at_fault || has_unknown_keys) {
         return std::nullopt;
     }
     const bool from_fits = check_form(field, path, *from.source, decoder);
@@ -211,9 +202,9 @@ std::optional<SweptRange> read_range(const Field& field, const std::string& path
     SweptRange range;
     set_ends(*from.source, *to.source, range);
     range.whole = field.kind.swept == RangeOver::wholes;
-    range.log = choice_of<SweepScale>(scale) == SweepScale::log;
-    if (count.value) range.count = static_cast<int>(std::get<double>(*count.value));
-    if (!reader.check_ends(range, *from.source, *to.source)) return std::nullopt;
+    range.log = scale == SweepScale::log;
+    range.count = count;
+    if (!check_ends(range, *from.source, *to.source, path, decoder)) return std::nullopt;
     return range;
 }
 

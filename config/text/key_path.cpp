@@ -1,5 +1,7 @@
 #include "config/text/key_path.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "config/text/text.h"
@@ -17,14 +19,7 @@ bool is_control(char c) {
     return byte < 0x20 || byte == 0x7f;
 }
 
-constexpr std::string_view hexadecimal_digits = "0123456789abcdef";
-
-std::string hexadecimal(char c) {
-    const auto byte = static_cast<unsigned char>(c);
-    return {hexadecimal_digits[byte >> 4], hexadecimal_digits[byte & 15]};
-}
-
-std::string escape_byte(char c) { return "\\x" + hexadecimal(c); }
+std::string hexadecimal(char c) { return fmt::format("{:02x}", static_cast<unsigned char>(c)); }
 
 std::string escape_control(char c) {
     if (c == '\n') return "\\n";
@@ -100,23 +95,14 @@ std::optional<std::string> read_name(std::string_view path, std::size_t& at) {
 }  // namespace
 
 bool is_bare_key(std::string_view name) {
-    for (const char c : name) {
-        if (!is_bare_character(c)) return false;
-    }
-    return !name.empty();
+    return !name.empty() && std::ranges::all_of(name, is_bare_character);
 }
 
 std::string toml_string(std::string_view text) {
     std::string result = "\"";
     for (const char c : text) {
-        if (c == '"' || c == '\\') {
-            result += '\\';
-            result += c;
-        } else if (is_control(c)) {
-            result += escape_control(c);
-        } else {
-            result += c;
-        }
+        if (c == '"' || c == '\\') result += '\\';
+        result += is_control(c) ? escape_control(c) : std::string(1, c);
     }
     return result + '"';
 }
@@ -173,7 +159,7 @@ std::string printable(std::string_view text) {
                 result += text[i];
             }
         }
-        if (valid < text.size()) result += escape_byte(text[valid]);
+        if (valid < text.size()) result += "\\x" + hexadecimal(text[valid]);
         text.remove_prefix(std::min(valid + 1, text.size()));
     }
     return result;

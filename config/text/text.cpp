@@ -49,10 +49,10 @@ std::size_t sequence_length(std::string_view text) {
     return 0;
 }
 
+bool begins_character(char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }
+
 std::size_t characters(std::string_view text) {
-    std::size_t count = 0;
-    for (const char c : text) count += (static_cast<unsigned char>(c) & 0xc0) != 0x80 ? 1 : 0;
-    return count;
+    return static_cast<std::size_t>(std::ranges::count_if(text, begins_character));
 }
 
 std::string wrap_line(std::string_view text, std::string_view prefix, std::size_t width) {
@@ -99,10 +99,6 @@ std::variant<std::string, FileError> read_text(std::FILE* file, std::size_t most
     return without_byte_order_mark(std::move(text));
 }
 
-std::size_t find_or_end(std::string_view text, std::string_view what, std::size_t from) {
-    return std::min(text.find(what, from), text.size());
-}
-
 // Returns the end of a string that opens at `at`, as TOML sees it. Three quotes open a text that
 // may span lines. In other strings a line break ends the string, because it is an error that the
 // parser will report.
@@ -135,12 +131,10 @@ std::optional<std::size_t> find_invalid_utf8(std::string_view text) {
 
 std::string wrap(std::string_view text, std::string_view prefix, std::size_t width) {
     std::string result;
-    while (true) {
-        const std::size_t end = text.find('\n');
-        result += wrap_line(text.substr(0, end), prefix, width);
-        if (end == std::string_view::npos) return result;
-        text.remove_prefix(end + 1);
+    for (const std::string_view line : pieces_between(text, '\n')) {
+        result += wrap_line(line, prefix, width);
     }
+    return result;
 }
 
 std::string_view trim(std::string_view text) {
@@ -258,7 +252,7 @@ std::optional<TextPosition> find_deep_nesting(std::string_view text, int limit) 
             continue;
         }
         if (c == '#') {
-            at = find_or_end(text, "\n", at);
+            at = std::min(text.find('\n', at), text.size());
             continue;
         }
         if (c == '.') {
@@ -278,12 +272,12 @@ std::optional<TextPosition> find_deep_nesting(std::string_view text, int limit) 
     return std::nullopt;
 }
 
-std::vector<std::string_view> pieces_between_commas(std::string_view list) {
+std::vector<std::string_view> pieces_between(std::string_view list, char mark) {
     std::vector<std::string_view> pieces;
     for (std::size_t at = 0; at <= list.size();) {
-        const std::size_t comma = std::min(list.find(',', at), list.size());
-        pieces.push_back(list.substr(at, comma - at));
-        at = comma + 1;
+        const std::size_t end = std::min(list.find(mark, at), list.size());
+        pieces.push_back(list.substr(at, end - at));
+        at = end + 1;
     }
     return pieces;
 }
@@ -294,7 +288,7 @@ TextPosition text_position(std::string_view text, std::size_t offset) {
         if (c == '\n') {
             ++position.line;
             position.column = 1;
-        } else if ((static_cast<unsigned char>(c) & 0xc0) != 0x80) {
+        } else if (begins_character(c)) {
             ++position.column;
         }
     }

@@ -68,8 +68,8 @@ std::variant<std::string, FileError> read_standard_input(std::size_t most_bytes)
 
 std::string without_byte_order_mark(std::string text);
 
-// Returns the pieces of a list between its commas, including empty ones.
-std::vector<std::string_view> pieces_between_commas(std::string_view list);
+// Returns the pieces of a list between its marks, such as commas, including empty ones.
+std::vector<std::string_view> pieces_between(std::string_view list, char mark);
 
 // This is a position in a text.
 struct TextPosition {

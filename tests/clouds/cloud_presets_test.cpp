@@ -127,8 +127,8 @@ CloudField field_of(const config::Parameters& parameters, const std::array<int, 
 }
 
 BakedPreset baked(const std::string& preset) {
-    const auto recipe =
-        config::parse_recipe(config::cloud_init_text(*config::find_cloud_preset(preset)), preset);
+    const auto recipe = config::parse_recipe(
+        config::cloud_init_text(*config::find_preset(config::cloud_presets(), preset)), preset);
     EXPECT_TRUE(recipe.value && recipe.diagnostics.empty()) << preset;
     const config::Parameters& parameters = recipe.value->parameters;
     BakedPreset result;

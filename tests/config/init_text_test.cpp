@@ -127,7 +127,8 @@ TEST(InitText, ACloudStartsFromItsPresetAndItsNoises) {
         EXPECT_NE(uncommented.find(table), std::string::npos);
         EXPECT_EQ(all_parameters(valid_with_warnings(uncommented)), all_parameters(written));
     }
-    const Recipe thesis = valid_with_warnings(cloud_init_text(*find_cloud_preset("thesis")));
+    const auto thesis =
+        valid_with_warnings(cloud_init_text(*find_preset(cloud_presets(), "thesis")));
     EXPECT_EQ(thesis.parameters.noises.at(0).sampling, NoiseSampling::corners);
 }
 
@@ -142,19 +143,19 @@ TEST(InitText, TheSweepInCommentsIsValid) {
         return variant_count(valid_with_warnings(text).sweep);
     };
     EXPECT_EQ(variants(init_text(*find_preset("earth"))), 4);
-    EXPECT_EQ(variants(noise_init_text(*find_noise_preset("nubis_shape"))), 3);
-    EXPECT_EQ(variants(cloud_init_text(*find_cloud_preset("cumulus_humilis"))), 4);
+    EXPECT_EQ(variants(noise_init_text(*find_preset(noise_presets(), "nubis_shape"))), 3);
+    EXPECT_EQ(variants(cloud_init_text(*find_preset(cloud_presets(), "cumulus_humilis"))), 4);
 }
 
 // three-clouds loads raw bytes and nothing else.
 TEST(InitText, TakramsNoisesAreBytes) {
     for (const char* preset : {"takram_shape", "takram_detail"}) {
-        const Recipe recipe = valid(noise_init_text(*find_noise_preset(preset)));
+        const Recipe recipe = valid(noise_init_text(*find_preset(noise_presets(), preset)));
         const auto& bake = recipe.parameters.bakes.at(0).as<NoiseVolumeBake>();
         EXPECT_EQ(bake.formats, std::vector<FileFormat>{FileFormat::bin}) << preset;
         EXPECT_EQ(bake.pixel_type, PixelType::unorm8) << preset;
     }
-    const Recipe nubis = valid(noise_init_text(*find_noise_preset("nubis_shape")));
+    const Recipe nubis = valid(noise_init_text(*find_preset(noise_presets(), "nubis_shape")));
     const auto& bake = nubis.parameters.bakes.at(0).as<NoiseVolumeBake>();
     EXPECT_EQ(bake.formats, std::vector<FileFormat>{FileFormat::exr});
 }

@@ -15,14 +15,15 @@
 namespace skybake::config {
 namespace {
 
+using PresetNames = std::vector<std::string_view>;
+
 Parameters preset(const std::string& name) { return valid("preset = '" + name + "'").parameters; }
 
 TEST(Presets, AreThoseOfTheIssue) {
-    EXPECT_EQ(preset_names(),
-              (std::vector<std::string_view>{
-                  "dense_earth", "earth", "earth_bruneton", "earth_clear_mountain",
-                  "earth_desert_dust", "earth_hillaire", "earth_maritime", "earth_urban_haze",
-                  "mars", "mars_rgb", "takram", "tiny_planet", "vacuum"}));
+    EXPECT_EQ(preset_names(), (PresetNames{"dense_earth", "earth", "earth_bruneton",
+                                           "earth_clear_mountain", "earth_desert_dust",
+                                           "earth_hillaire", "earth_maritime", "earth_urban_haze",
+                                           "mars", "mars_rgb", "takram", "tiny_planet", "vacuum"}));
     EXPECT_EQ(find_preset("moon"), nullptr);
 }
 
@@ -103,22 +104,22 @@ void expect_titles(std::span<const Preset> presets) {
 }
 
 TEST(Presets, OfNoisesAreThoseOfTheIssue) {
-    EXPECT_EQ(noise_preset_names(), (std::vector<std::string_view>{
-                                        "billows", "nubis_detail", "nubis_layer", "nubis_shape",
-                                        "takram_detail", "takram_shape", "thesis", "tufts"}));
+    EXPECT_EQ(preset_names(noise_presets()),
+              (PresetNames{"billows", "nubis_detail", "nubis_layer", "nubis_shape", "takram_detail",
+                           "takram_shape", "thesis", "tufts"}));
     expect_titles(noise_presets());
 }
 
 TEST(Presets, OfCloudsAreThoseOfTheIssue) {
-    EXPECT_EQ(cloud_preset_names(),
-              (std::vector<std::string_view>{
-                  "altocumulus", "cirrus", "cumulonimbus", "cumulus_congestus", "cumulus_humilis",
-                  "cumulus_mediocris", "fog_bank", "stratocumulus", "stratus", "thesis"}));
+    EXPECT_EQ(preset_names(cloud_presets()),
+              (PresetNames{"altocumulus", "cirrus", "cumulonimbus", "cumulus_congestus",
+                           "cumulus_humilis", "cumulus_mediocris", "fog_bank", "stratocumulus",
+                           "stratus", "thesis"}));
     expect_titles(cloud_presets());
 }
 
 TEST(Presets, OfLayersAreLayersOfAnAtmosphere) {
-    EXPECT_EQ(layer_preset_names(), (std::vector<std::string_view>{"dust", "fog", "rain", "snow"}));
+    EXPECT_EQ(preset_names(layer_presets()), (PresetNames{"dust", "fog", "rain", "snow"}));
     for (const Preset& entry : layer_presets()) {
         const std::string name(entry.name);
         const Recipe recipe =

@@ -1,5 +1,3 @@
-#include "config/recipe/preview_section.h"
-
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -47,7 +45,7 @@ heading = "120 deg"
 pitch = "-5 deg"
 fov = "40 deg"
 )");
-    const auto preview = preview_of(recipe);
+    const auto& preview = recipe.preview;
     ASSERT_TRUE(preview);
     EXPECT_EQ(preview->size, (std::array{1920, 1080}));
     EXPECT_TRUE(preview->single);
@@ -66,16 +64,16 @@ fov = "40 deg"
 }
 
 TEST(PreviewSection, SaysNothingThatItIsNotTold) {
-    EXPECT_FALSE(preview_of(valid("preset = 'earth_hillaire'")));
-    const auto preview = preview_of(valid(base + "[preview.camera]\nfov = '40 deg'\n"));
+    EXPECT_FALSE(valid("preset = 'earth_hillaire'").preview);
+    const auto preview = valid(base + "[preview.camera]\nfov = '40 deg'\n").preview;
     ASSERT_TRUE(preview);
     EXPECT_FALSE(preview->size || preview->at || preview->exposure || preview->camera.heading);
     EXPECT_TRUE(preview->sun_elevation.empty());
 }
 
 TEST(PreviewSection, TakesATimeAtAPlace) {
-    const auto preview = preview_of(valid(
-        base + "at = '2026-06-21 18:30 +02:00'\nlatitude = '47.4 deg'\nlongitude = '8.5 deg'"));
+    const std::string place = "\nlatitude = '47.4 deg'\nlongitude = '8.5 deg'";
+    const auto preview = valid(base + "at = '2026-06-21 18:30 +02:00'" + place).preview;
     ASSERT_TRUE(preview);
     EXPECT_EQ(preview->at, "2026-06-21 18:30 +02:00");
     EXPECT_DOUBLE_EQ(preview->latitude.value(), 47.4 * degree);
@@ -86,14 +84,14 @@ TEST(PreviewSection, TakesATimeAtAPlace) {
 // have one camera, which is neither's.
 TEST(PreviewSection, ComesWithTheOnlyCloudsPreset) {
     const std::string storm = "[clouds.c]\npreset = 'cumulonimbus'\n";
-    const auto preview = preview_of(valid(storm + "[preview.camera]\nfov = '30 deg'\n"));
+    const auto preview = valid(storm + "[preview.camera]\nfov = '30 deg'\n").preview;
     ASSERT_TRUE(preview);
     EXPECT_TRUE(preview->single);
     EXPECT_FALSE(preview->sun_elevation.empty());
     EXPECT_TRUE(preview->camera.heading);
     EXPECT_DOUBLE_EQ(preview->camera.fov.value(), 30 * degree);
-    EXPECT_FALSE(preview_of(valid(storm + "[preview]\nsingle = false\n"))->single);
-    EXPECT_FALSE(preview_of(valid(storm + "[clouds.d]\npreset = 'cirrus'\n")));
+    EXPECT_FALSE(valid(storm + "[preview]\nsingle = false\n").preview->single);
+    EXPECT_FALSE(valid(storm + "[clouds.d]\npreset = 'cirrus'\n").preview);
 }
 
 TEST(PreviewSection, IsNotPartOfWhatAssetsAreMadeFrom) {
