@@ -34,10 +34,6 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-std::string counted(std::size_t count, std::string_view what, std::string_view plural) {
-    return fmt::format("{} {}", count, count == 1 ? what : plural);
-}
-
 std::uint64_t bytes_of(const std::vector<CacheEntry>& entries) {
     return std::accumulate(
         entries.begin(), entries.end(), std::uint64_t{0},
@@ -76,9 +72,9 @@ ExitCode stats(const fs::path& folder, bool json, Console& console) {
                        byte_size_text(static_cast<double>(totals.bytes))});
     }
     const double bytes = static_cast<double>(bytes_of(*entries.value));
-    console.result((kinds.empty() ? "" : table.text()) +
-                   fmt::format("{}, {}\n", counted(entries.value->size(), "asset", "assets"),
-                               byte_size_text(bytes)));
+    console.result(
+        (kinds.empty() ? "" : table.text()) +
+        fmt::format("{}, {}\n", counted(entries.value->size(), "asset"), byte_size_text(bytes)));
     return ExitCode::done;
 }
 
@@ -90,8 +86,7 @@ ExitCode gc(const fs::path& folder, std::uint64_t largest, bool json, Console& c
         console.result(event_line(
             {{"event", "cache_trimmed"}, {"removed", removed.value->size()}, {"bytes", bytes}}));
     } else {
-        console.result(fmt::format("{} removed, {}\n",
-                                   counted(removed.value->size(), "asset", "assets"),
+        console.result(fmt::format("{} removed, {}\n", counted(removed.value->size(), "asset"),
                                    byte_size_text(static_cast<double>(bytes))));
     }
     return ExitCode::done;
@@ -110,11 +105,9 @@ ExitCode verify(const fs::path& folder, bool json, Console& console) {
         std::string text;
         for (const std::string& file : damaged)
             text += file + " is damaged; its asset was removed\n";
-        text += counted(verified.value->entries, "asset", "assets");
-        text +=
-            damaged.empty()
-                ? ", none is damaged\n"
-                : fmt::format(", {}\n", counted(damaged.size(), "damaged file", "damaged files"));
+        text += counted(verified.value->entries, "asset");
+        text += damaged.empty() ? ", none is damaged\n"
+                                : fmt::format(", {}\n", counted(damaged.size(), "damaged file"));
         console.result(text);
     }
     return damaged.empty() ? ExitCode::done : ExitCode::differs;

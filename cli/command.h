@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -81,6 +82,11 @@ class Invocation {
     template <class T>
     bool has(const Option<T>& option) const {
         return entry(option.name).given;
+    }
+    // Returns the value, or nothing if the option was not given.
+    template <class T>
+    std::optional<T> given(const Option<T>& option) const {
+        return has(option) ? std::optional<T>((*this)[option]) : std::nullopt;
     }
     // Returns the values as they were typed.
     template <class T>
@@ -205,8 +211,6 @@ T Invocation::operator[](const Option<T>& option) const {
 
 // The rest of this header is about what the program says of itself: help, man pages and shell
 // completions. They are made from the tables of commands and options.
-class Console;
-
 inline constexpr std::string_view program_summary =
     "bakes sky tables, cloud noise and cloud volumes, and measures their errors";
 

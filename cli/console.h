@@ -101,6 +101,7 @@ class Console {
 
   private:
     ExitCode report_to(bool results, std::span<const Diagnostic> diagnostics);
+    void write(bool results, std::string_view text);
     void write_error(std::string_view text);
     ExitCode exit_code(ExitCode code) const;
 

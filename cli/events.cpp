@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bakers/io/manifest/release.h"
+#include "cli/diagnostic_printer.h"
 #include "cli/options.h"
 #include "config/diagnostics/diagnostic_codes.h"
 
@@ -15,10 +16,6 @@ namespace skybake::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string_view severity_word(const Diagnostic& diagnostic) {
-    return diagnostic.severity == Severity::error ? "error" : "warning";
-}
 
 // Escapes everything except unreserved characters and the slashes between folders (RFC 3986).
 std::string file_uri(std::string_view path) {

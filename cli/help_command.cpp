@@ -50,19 +50,12 @@ std::string option_table(std::span<const OptionRow> options) {
     return table.text();
 }
 
-std::string example_table(std::span<const Example> examples) {
+// Returns a table of two members of each row.
+template <class Rows, class Row>
+std::string table_of(const Rows& rows, std::string_view Row::*first,
+                     std::string_view Row::*second) {
     TextTable table;
-    for (const Example& example : examples) {
-        table.add_row({std::string(example.command), std::string(example.what)});
-    }
-    return table.text();
-}
-
-std::string command_table(std::span<const Command> commands) {
-    TextTable table;
-    for (const Command& command : commands) {
-        table.add_row({std::string(command.name), std::string(command.summary)});
-    }
+    for (const Row& row : rows) table.add_row({std::string(row.*first), std::string(row.*second)});
     return table.text();
 }
 
@@ -92,9 +85,9 @@ std::string global_help(std::span<const Command> commands,
                         std::span<const OptionRow> global_options) {
     std::string text = fmt::format("skybake {}\n", program_summary) +
                        "usage: skybake <command> [recipe.toml] [options]\n\ncommands:\n";
-    text += command_table(commands);
+    text += table_of(commands, &Command::name, &Command::summary);
     text += "\noptions (after the command):\n" + option_table(global_options);
-    text += "\nexamples:\n" + example_table(first_steps);
+    text += "\nexamples:\n" + table_of(first_steps, &Example::command, &Example::what);
     return text + "\nexit codes:\n" + exit_code_table({});
 }
 
@@ -102,15 +95,11 @@ std::string command_help(const Command& command) {
     std::string text = fmt::format("skybake {}: {}\n\n", command.name, command.summary);
     text += usage_line(command);
     if (!command.arguments.empty()) {
-        TextTable table;
-        for (const Argument& argument : command.arguments) {
-            table.add_row({std::string(argument.name), std::string(argument.help)});
-        }
-        text += "\narguments:\n" + table.text();
+        text += "\narguments:\n" + table_of(command.arguments, &Argument::name, &Argument::help);
     }
     text += "\noptions (`skybake help` shows those that every command has):\n" +
             option_table(command.options);
-    text += "\nexamples:\n" + example_table(command.examples);
+    text += "\nexamples:\n" + table_of(command.examples, &Example::command, &Example::what);
     std::vector<ExitCode> codes = command.exit_codes;
     codes.insert(codes.end(), {ExitCode::done, ExitCode::usage});
     return text + "\nexit codes:\n" + exit_code_table(codes);

@@ -162,8 +162,8 @@ OptionRow server_row() {
 
 Outcome<fs::path> cache_folder(const Invocation& invocation) {
     const char* const variable = std::getenv("SKYBAKE_CACHE_DIR");
-    fs::path folder = variable != nullptr ? variable : "";
-    if (invocation.has(options::cache_dir)) folder = invocation[options::cache_dir];
+    fs::path folder =
+        invocation.given(options::cache_dir).value_or(variable != nullptr ? variable : "");
     auto problems = folder.empty() ? std::vector<Diagnostic>{} : check_cache_folder(folder);
     if (!problems.empty()) return {{}, std::move(problems)};
     return {std::move(folder), {}};
@@ -180,17 +180,12 @@ fs::path own_cache_folder() {
 }
 
 Outcome<std::string> cache_url(const Invocation& invocation) {
-    if (invocation.has(options::cache)) return {invocation[options::cache], {}};
+    if (auto given = invocation.given(options::cache)) return {std::move(given), {}};
     const char* const url = std::getenv("SKYBAKE_CACHE");
     if (url == nullptr || *url == '\0') return {"", {}};
     std::string problem = cache_url_problem(url);
     if (problem.empty()) return {url, {}};
     return bad_value("SKYBAKE_CACHE", without_credentials(url), std::move(problem));
-}
-
-std::optional<double> memory_limit_mib(const Invocation& invocation) {
-    if (!invocation.has(options::max_memory)) return std::nullopt;
-    return invocation[options::max_memory];
 }
 
 // --- The recipe ---------------------------------------------------------------------------------

@@ -104,9 +104,6 @@ std::filesystem::path own_cache_folder();
 // is empty if there is none. E0001 if the variable holds no URL.
 Outcome<std::string> cache_url(const Invocation& invocation);
 
-// Returns none without --max-memory.
-std::optional<double> memory_limit_mib(const Invocation& invocation);
-
 // --- The recipe ---------------------------------------------------------------------------------
 
 // Diagnostics and events call standard input by this name.

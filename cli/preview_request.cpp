@@ -162,26 +162,21 @@ void check_combination(const Invocation& invocation, const PreviewRequest& reque
 
 // Returns the options for pictures: suns, exposure, camera and size.
 PreviewOptions picture_options(const Invocation& invocation) {
-    PreviewOptions given;
-    given.sun_elevations_deg = invocation[options::sun_elevation];
-    const auto take = [&invocation](const auto& option, auto& member) {
-        if (invocation.has(option)) member = invocation[option];
-    };
-    take(options::sun_azimuth, given.sun_azimuth_deg);
-    take(options::exposure, given.exposure_stops);
-    take(options::tone_curve, given.tone_curve);
-    take(options::glare, given.glare);
-    take(options::altitude, given.altitude_m);
-    take(options::camera, given.camera);
-    take(options::size, given.picture_size);
-    given.single = invocation[options::single];
-    given.table_sky = invocation[options::table_sky];
-    take(options::at, given.at);
-    take(options::place, given.place);
-    take(options::turntable, given.turntable);
-    given.live = invocation[options::live];
-    given.threads = invocation[options::jobs];
-    return given;
+    return {.sun_elevations_deg = invocation[options::sun_elevation],
+            .exposure_stops = invocation.given(options::exposure),
+            .tone_curve = invocation.given(options::tone_curve),
+            .glare = invocation.given(options::glare),
+            .altitude_m = invocation.given(options::altitude),
+            .sun_azimuth_deg = invocation.given(options::sun_azimuth),
+            .at = invocation.given(options::at),
+            .place = invocation.given(options::place),
+            .camera = invocation.given(options::camera),
+            .picture_size = invocation.given(options::size),
+            .single = invocation[options::single],
+            .table_sky = invocation[options::table_sky],
+            .turntable = invocation[options::turntable],
+            .live = invocation[options::live],
+            .threads = invocation[options::jobs]};
 }
 
 }  // namespace

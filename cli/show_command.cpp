@@ -57,11 +57,10 @@ bool is_below(std::string_view path, const Names& asked) {
 
 std::vector<Line> lines_below(const Recipe& recipe, const Names& asked) {
     std::vector<Line> lines;
-    for (const config::ResolvedValue& value : recipe.values) {
-        if (is_below(value.path, asked)) lines.push_back(make_line(value));
-    }
-    for (const config::ResolvedValue& value : recipe.sweep_values) {
-        if (is_below(value.path, asked)) lines.push_back(make_line(value));
+    for (const auto* values : {&recipe.values, &recipe.sweep_values}) {
+        for (const config::ResolvedValue& value : *values) {
+            if (is_below(value.path, asked)) lines.push_back(make_line(value));
+        }
     }
     return lines;
 }

@@ -72,10 +72,9 @@ std::vector<Diagnostic> check_rereadable(const fs::path& recipe) {
 Outcome<config::Sweep> sweep_of(const Invocation& invocation) {
     auto obstacles = check_rereadable(invocation.arguments()[0]);
     if (!obstacles.empty()) return {{}, std::move(obstacles)};
-    config::SweepOptions given;
-    given.vary = invocation[options::vary];
-    given.zip = invocation[options::zip];
-    if (invocation.has(options::sobol)) given.sobol = invocation[options::sobol];
+    const config::SweepOptions given = {.vary = invocation[options::vary],
+                                        .zip = invocation[options::zip],
+                                        .sobol = invocation.given(options::sobol)};
     auto sweep = config::load_sweep(invocation.arguments()[0], invocation[options::set], given);
     if (!sweep.value || !sweep.value->axes.empty()) return sweep;
     return usage_error("there is nothing to vary: add [sweep] to the recipe or pass --vary",
@@ -104,7 +103,7 @@ SweepJob sweep_job(const Invocation& invocation, config::Sweep sweep) {
     job.threads = invocation[options::jobs];
     job.certification = invocation[options::certify];
     job.force = invocation[options::force];
-    job.memory_limit_mib = memory_limit_mib(invocation);
+    job.memory_limit_mib = invocation.given(options::max_memory);
     return job;
 }
 
@@ -171,10 +170,6 @@ std::string paths_text(const SweepJob& job, const std::vector<VariantResult>& re
         text += (folder / manifest_name).string() + "\n";
     }
     return text;
-}
-
-std::string variants_text(int count) {
-    return fmt::format("{} variant{}", count, count == 1 ? "" : "s");
 }
 
 std::string index_paths_text(const SweepJob& job) {
@@ -244,7 +239,8 @@ ExitCode sweep(const Invocation& invocation, const SweepJob& job, Console& conso
         console.result(paths_text(job, results) + (writes_index ? index_paths_text(job) : ""));
     }
     report_warnings(results, console);
-    console.note(fmt::format("{} baked, {}\n", variants_text(reporter.made()),
+    console.note(fmt::format("{} baked, {}\n",
+                             counted(static_cast<std::size_t>(reporter.made()), "variant"),
                              time_text(stopwatch.seconds())));
     if (writes_index) console.note(earlier_note(folders_of_earlier_sweeps(job)));
     return report_unfinished(results, console);

@@ -21,8 +21,8 @@ Json to_json(const PagePicture& picture) {
             {"file", picture.name + ".png"},
             {"title", picture.title},
             {"caption", picture.caption},
-            {"width", picture.width},
-            {"height", picture.height},
+            {"width", picture.picture.width},
+            {"height", picture.picture.height},
             {"kind", kind_name(picture.kind)},
             {"sequence", picture.sequence},
             {"group", picture.group},
@@ -164,7 +164,7 @@ std::string script_text(const Json& json) {
 Json other_files_json(const PreviewPage& page) {
     Json json = Json::array();
     for (const std::string& name : page.retired) json.push_back({{"file", name}});
-    if (page.watch_revision > 0) json.push_back({{"file", page_swap_name}});
+    if (page.watch_revision > 0) json.push_back({{"file", swap_name_of(page)}});
     return json;
 }
 
@@ -208,7 +208,16 @@ std::string page_html(const PreviewPage& page) {
                                                {"watch", watch_element(page.watch_revision)}});
 }
 
+std::string other_files(const PreviewPage& page) { return script_text(other_files_json(page)); }
+
+const char* swap_name_of(const PreviewPage& page) {
+    return page.live_scene.empty() ? "preview_page.js" : "live_scene.js";
+}
+
 std::string page_swap_text(const PreviewPage& page) {
+    if (!page.live_scene.empty()) {
+        return fmt::format("skybakeScene({}, {});\n", page.watch_revision, page.live_scene);
+    }
     return fmt::format("skybakePage({}, {}, {});\n", page.watch_revision, page_data(page),
                        script_text(Json(pictures_html(page))));
 }

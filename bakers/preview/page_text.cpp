@@ -64,8 +64,8 @@ std::string figure_html(const PagePicture& picture, const std::string& file,
         "<figure><img class=\"{}\" data-file=\"{}\" alt=\"{}\" width=\"{}\" height=\"{}\" "
         "src=\"{}\"><figcaption><b>{}</b> {}</figcaption></figure>\n",
         kind_name(picture.kind), html_text(file),
-        html_text(picture.caption.empty() ? picture.title : picture.caption), picture.width,
-        picture.height, source, html_text(picture.title), html_text(picture.caption));
+        html_text(picture.caption.empty() ? picture.title : picture.caption), picture.picture.width,
+        picture.picture.height, source, html_text(picture.title), html_text(picture.caption));
 }
 
 // Returns the figures. Pictures of a sequence stay in their files; a new revision of a page asks for
@@ -86,14 +86,16 @@ std::string figures_html(const std::vector<PagePicture>& pictures, int revision)
 }  // namespace
 
 PagePicture report_plot(const PageAsset& asset) {
-    return {asset.entry.name + "_report",
-            "Speed against error",
-            "The plot shows what accuracy costs: the time of the bake against its error, for many "
-            "variants.",
-            svg_extent(asset.plot_svg, "width"),
-            svg_extent(asset.plot_svg, "height"),
-            "",
-            PictureKind::plot};
+    PagePicture plot;
+    plot.name = asset.entry.name + "_report";
+    plot.title = "Speed against error";
+    plot.caption =
+        "The plot shows what accuracy costs: the time of the bake against its error, for many "
+        "variants.";
+    plot.picture.width = svg_extent(asset.plot_svg, "width");
+    plot.picture.height = svg_extent(asset.plot_svg, "height");
+    plot.kind = PictureKind::plot;
+    return plot;
 }
 
 std::string pictures_html(const PreviewPage& page) {

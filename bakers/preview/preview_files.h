@@ -12,6 +12,7 @@
 
 #include "bakers/plot/drawing.h"
 #include "bakers/preview/page.h"
+#include "bakers/report/report_files.h"
 #include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
@@ -48,7 +49,7 @@ class PictureEncoder {
 
   private:
     const std::vector<PagePicture>* remembered(const std::string& key) const;
-    std::vector<PagePicture> encoded(const std::vector<PreviewPicture>& pictures);
+    std::vector<PagePicture> encoded(std::vector<PreviewPicture> pictures);
     std::string free_name(std::string_view name);
 
     int threads_;
@@ -59,13 +60,8 @@ class PictureEncoder {
     std::vector<Diagnostic> problems_;
 };
 
-struct PreviewFile {
-    std::string name;  // relative to the preview's folder
-    std::string bytes;
-};
-
 // Returns NAME.png for each picture, what a watching page shows next, and the page as the last file.
-std::vector<PreviewFile> preview_files(const PreviewPage& page);
+std::vector<NamedFile> preview_files(const PreviewPage& page);
 
 // Returns the names of these files.
 std::vector<std::string> preview_file_names(const PreviewPage& page);

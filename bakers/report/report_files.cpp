@@ -162,9 +162,9 @@ std::string report_json(const std::vector<AssetReport>& assets) {
 
 // --- The folder ---------------------------------------------------------------------------------
 
-std::vector<ReportFile> report_files(const std::vector<AssetReport>& assets) {
-    std::vector<ReportFile> files = {{"report.csv", report_csv(assets)},
-                                     {"report.json", report_json(assets)}};
+std::vector<NamedFile> report_files(const std::vector<AssetReport>& assets) {
+    std::vector<NamedFile> files = {{"report.csv", report_csv(assets)},
+                                    {"report.json", report_json(assets)}};
     for (const AssetReport& asset : assets) {
         // Without rows there is nothing to plot.
         if (!asset.rows.empty())

@@ -14,6 +14,7 @@
 #include "bakers/preview/check_options.h"
 #include "bakers/preview/cloud_inputs.h"
 #include "bakers/preview/live/live_glsl.h"
+#include "bakers/preview/pictures/asset_pictures.h"
 #include "bakers/preview/pictures/cloud_lighting.h"
 #include "bakers/preview/runtime/runtime_library.h"
 #include "bakers/render/cloud_view.h"
@@ -28,8 +29,7 @@ namespace {
 std::vector<CloudPreviewInput> shown_inputs(const PreviewAssets& assets,
                                             const PreviewOptions& options) {
     std::vector<CloudPreviewInput> inputs = scene_input(assets, options);
-    std::erase_if(inputs,
-                  [](const CloudPreviewInput& input) { return !holds_voxels(*input.volume); });
+    std::erase_if(inputs, [](const auto& input) { return !has_all_texels(*input.volume); });
     if (options.single && inputs.size() > 1) inputs.resize(1);
     return inputs;
 }

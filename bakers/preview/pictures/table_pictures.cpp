@@ -273,16 +273,21 @@ class TablePictures {
         return lines;
     }
 
+    void add_curves(const std::string& stem, const std::string& title, const std::string& across,
+                    const std::vector<ChartLine>& lines, const std::string& caption) {
+        add(stem, title, caption,
+            line_chart(lines, title, across, quantity_.axis, false, quantity_.logarithmic));
+        pictures_.back() = as_plot(std::move(pictures_.back()));
+    }
+
     void add_profile_over_angle() {
         const double horizon = geometry_.largest_zenith_angle(0);
         const auto lines = curves([&](double t) {
             return std::array<double, 3>{t * horizon, 0.0, t * horizon};
         });
         const std::string title = quantity_.heading + " at the ground";
-        add("ground_profile", title, "The curves show bilinear lookups at the ground, altitude 0.",
-            line_chart(lines, title, quantity_.angle, quantity_.axis, false,
-                       quantity_.logarithmic));
-        pictures_.back() = as_plot(std::move(pictures_.back()));
+        add_curves("ground_profile", title, quantity_.angle, lines,
+                   "The curves show bilinear lookups at the ground, altitude 0.");
     }
 
     void add_profile_over_altitude() {
@@ -293,11 +298,8 @@ class TablePictures {
         const std::string title =
             quantity_.heading +
             (geometry_.is_transmittance() ? " along the horizontal" : " with the sun at 90°");
-        add("altitude_profile", title,
-            "The curves show bilinear lookups at a zenith angle of 90 degrees.",
-            line_chart(lines, title, "altitude (km)", quantity_.axis, false,
-                       quantity_.logarithmic));
-        pictures_.back() = as_plot(std::move(pictures_.back()));
+        add_curves("altitude_profile", title, "altitude (km)", lines,
+                   "The curves show bilinear lookups at a zenith angle of 90 degrees.");
     }
 
     void add_texels() {
