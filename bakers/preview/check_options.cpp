@@ -224,10 +224,7 @@ std::vector<Diagnostic> unused_keys(const Recipe& recipe) {
 
 std::optional<Diagnostic> camera_above_air(const PreviewAssets& assets,
                                            const PreviewOptions& options) {
-    if (!options.altitude_m || !assets.recipe || assets.of_kind("transmittance") == nullptr ||
-        assets.of_kind("multiple_scattering") == nullptr) {
-        return std::nullopt;
-    }
+    if (!options.altitude_m || !lit_pictures_of(assets).sky) return std::nullopt;
     const config::Atmosphere& atmosphere = assets.recipe->parameters.atmosphere;
     const double top_m = atmosphere.top_radius.meters - atmosphere.ground_radius.meters;
     if (*options.altitude_m <= top_m) return std::nullopt;

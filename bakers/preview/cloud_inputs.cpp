@@ -14,22 +14,25 @@
 #include "config/assets/cloud_volume.h"
 #include "config/assets/occupancy.h"
 #include "config/sections/frames.h"
+#include "config/text/mapped.h"
 
 namespace skybake {
 
 namespace {
 
+template <class Section>
+const Section* section_named(const Parameters& parameters, const std::string& name) {
+    const auto bake = std::ranges::find(parameters.bakes, name, &Bake::name);
+    return bake != parameters.bakes.end() ? bake->find<Section>() : nullptr;
+}
+
 // Returns the bake of a frame of clouds, or null.
 const CloudVolumeBake* frame_bake(const PreviewAssets& assets, const PreviewAsset& asset) {
     if (!assets.recipe || asset.voxels.empty()) return nullptr;
-    for (const Bake& bake : assets.recipe->parameters.bakes) {
-        const auto* volume = bake.find<CloudVolumeBake>();
-        if (volume != nullptr && bake.name == asset.entry.name) {
-            return volume->frame > 0 && config::sequence_name(bake.name) != bake.name ? volume
-                                                                                      : nullptr;
-        }
-    }
-    return nullptr;
+    const std::string& name = asset.entry.name;
+    const auto* bake = section_named<CloudVolumeBake>(assets.recipe->parameters, name);
+    const bool is_frame = bake != nullptr && bake->frame > 0 && config::sequence_name(name) != name;
+    return is_frame ? bake : nullptr;
 }
 
 bool is_played(const PagePicture& picture) { return picture.frames_per_second > 0; }
@@ -84,14 +87,6 @@ std::vector<PageScene> SequenceScenes::scenes() && {
 }
 
 namespace {
-
-template <class Section>
-const Section* section_named(const Parameters& parameters, const std::string& name) {
-    for (const Bake& bake : parameters.bakes) {
-        if (bake.name == name) return bake.find<Section>();
-    }
-    return nullptr;
-}
 
 const Cloud* cloud_of(const Parameters& parameters, const CloudVolumeBake* bake) {
     const auto cloud = std::ranges::find_if(
@@ -230,11 +225,6 @@ std::array<int, 3> size_of(const ManifestAsset& entry) {
     return {entry.size[0], entry.size[1], entry.size[2]};
 }
 
-std::vector<float> leaps_of(const std::array<int, 3>& size, std::vector<std::uint8_t> occupied) {
-    const auto leaps = occupancy::leap_distance({size, std::move(occupied)});
-    return {leaps.begin(), leaps.end()};
-}
-
 }  // namespace
 
 std::optional<std::vector<float>> leaps_of_grid(const PreviewAsset& grid, const OccupancyBake& bake,
@@ -246,14 +236,16 @@ std::optional<std::vector<float>> leaps_of_grid(const PreviewAsset& grid, const 
         for (float& leap : *leaps) leap = std::round(leap);  // a unorm value is a quotient by 255
         return leaps;
     }
-    std::vector<std::uint8_t> occupied;
-    if (const auto values = values_of(grid, bake, OccupancyContent::occupied)) {
-        for (const float value : *values) occupied.push_back(value > 0 ? 1 : 0);
-        return leaps_of(size, std::move(occupied));
-    }
-    if (const auto values = values_of(grid, bake, OccupancyContent::maximum)) {
-        for (const float value : *values) occupied.push_back(value > threshold ? 1 : 0);
-        return leaps_of(size, std::move(occupied));
+    for (const auto& [content, greatest_empty] :
+         {std::pair(OccupancyContent::occupied, 0.0F),
+          std::pair(OccupancyContent::maximum, threshold)}) {
+        const auto values = values_of(grid, bake, content);
+        if (!values) continue;
+        const auto leaps = occupancy::leap_distance(
+            {size, mapped<std::uint8_t>(*values, [empty = greatest_empty](const float value) {
+                 return value > empty ? 1 : 0;
+             })});
+        return std::vector<float>(leaps.begin(), leaps.end());
     }
     return std::nullopt;
 }

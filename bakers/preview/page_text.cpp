@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -33,15 +34,8 @@ std::string filled(std::string_view form, const std::map<std::string_view, std::
 }
 
 std::string_view kind_name(PictureKind kind) {
-    switch (kind) {
-        case PictureKind::scene:
-            return "scene";
-        case PictureKind::plot:
-            return "plot";
-        case PictureKind::image:
-            break;
-    }
-    return "image";
+    constexpr std::array<std::string_view, 3> names = {"image", "scene", "plot"};
+    return names[static_cast<std::size_t>(kind)];
 }
 
 namespace {
