@@ -12,6 +12,7 @@
 #include "cli/events.h"
 #include "cli/table_printer.h"
 #include "config/text/key_path.h"
+#include "config/text/mapped.h"
 
 namespace skybake::cli {
 
@@ -173,12 +174,10 @@ ExitCode show_exr_heads(const fs::path& path, const Diagnostic& reason, bool jso
     if (!parts.value || reason.code != "E0304") return console.report({&reason, 1});
     const std::string unread = reason_in(reason.message, path.string());
     if (json) {
-        Json list = Json::array();
-        for (const ExrPartHead& part : *parts.value) list.push_back(part_json(part));
         console.result(event_line({{"event", "parts"},
                                    {"path", path.string()},
                                    {"unread", unread},
-                                   {"parts", std::move(list)}}));
+                                   {"parts", mapped<Json>(*parts.value, part_json)}}));
         return ExitCode::done;
     }
     std::string text = fmt::format("{}\n", path.string());

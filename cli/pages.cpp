@@ -81,8 +81,6 @@ std::vector<std::string> spellings(const OptionRow& option) {
     return words;
 }
 
-bool is_folder(const OptionRow& option) { return option.is_path && option.value == "FOLDER"; }
-
 // Returns the names that shells complete for an argument. For `help` these are the names of the
 // commands.
 std::vector<std::string_view> argument_choices(const Command& command,
@@ -102,6 +100,14 @@ std::string offered(const OptionRow& option) {
     return fmt::format("{}", fmt::join(option.offered, " "));
 }
 
+// Returns how a shell completes the values of an option: by words, by folders, by files, or otherwise.
+std::string completed_by(const OptionRow& option, const std::string& words, const char* folders,
+                         const char* files, const char* otherwise) {
+    if (!offered(option).empty()) return words;
+    if (!option.is_path) return otherwise;
+    return option.value == "FOLDER" ? folders : files;
+}
+
 // Returns the cases `COMMAND:OPTION`, where OPTION is the word before the cursor, that complete the
 // option's value.
 std::string bash_values(std::string_view command, std::span<const OptionRow> options) {
@@ -112,11 +118,9 @@ std::string bash_values(std::string_view command, std::span<const OptionRow> opt
         for (const std::string& word : spellings(option)) {
             patterns.push_back(fmt::format("{}:{}", command, word));
         }
-        const std::string reply = !offered(option).empty()
-                                      ? fmt::format("_skybake_words \"{}\"", offered(option))
-                                  : is_folder(option) ? "_skybake_paths -d"
-                                  : option.is_path    ? "_skybake_paths -f"
-                                                      : ":";
+        const std::string reply =
+            completed_by(option, fmt::format("_skybake_words \"{}\"", offered(option)),
+                         "_skybake_paths -d", "_skybake_paths -f", ":");
         text += fmt::format("        {}) {}; return ;;\n", fmt::join(patterns, "|"), reply);
     }
     return text;
@@ -192,12 +196,9 @@ std::string zsh_specs(std::span<const OptionRow> options) {
         const std::string help = replaced(option.help, {{'[', "\\["}, {']', "\\]"}});
         std::string spec = fmt::format("[{}]", help);
         if (!option.value.empty()) {
-            const std::string action = !offered(option).empty()
-                                           ? fmt::format("({})", offered(option))
-                                       : is_folder(option) ? "_files -/"
-                                       : option.is_path    ? "_files"
-                                                           : " ";
-            spec += fmt::format(":{}:{}", option.value, action);
+            spec += fmt::format(":{}:{}", option.value,
+                                completed_by(option, fmt::format("({})", offered(option)),
+                                             "_files -/", "_files", " "));
         }
         for (const std::string& word : spellings(option)) {
             const std::string once =
@@ -248,15 +249,9 @@ std::string fish_options(const std::string& where, std::span<const OptionRow> op
     for (const OptionRow& option : options) {
         text += fmt::format("complete -c skybake{} -l {}", where, option.name);
         if (option.short_name != 0) text += fmt::format(" -s {}", option.short_name);
-        if (!offered(option).empty()) {
-            text += fmt::format(" -x -a {}", shell_quoted(offered(option)));
-        } else if (is_folder(option)) {
-            text += " -x -a '(__fish_complete_directories)'";
-        } else if (option.is_path) {
-            text += " -r -F";
-        } else if (!option.value.empty()) {
-            text += " -x";
-        }
+        text += completed_by(option, fmt::format(" -x -a {}", shell_quoted(offered(option))),
+                             " -x -a '(__fish_complete_directories)'", " -r -F",
+                             option.value.empty() ? "" : " -x");
         text += fmt::format(" -d {}\n", shell_quoted(option.help));
     }
     return text;

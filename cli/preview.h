@@ -109,10 +109,6 @@ class ReadyFiles {
 // number or are out of range.
 Outcome<PreviewRequest> preview_request(const Invocation& invocation);
 
-// Checks whether the folder may be written to, as far as this can be seen before the pictures are
-// made. Reports E0302 or E0303 if not.
-ExitCode check_output(const PreviewRequest& request, Console& console);
-
 // Writes all files at once. Pictures of earlier previews that are not made any more stay where they
 // are. Reports E0301, E0302 and E0303.
 ExitCode write_preview(PreviewPage page, const PreviewRequest& request, Console& console);

@@ -186,6 +186,16 @@ ExitCode show(const Invocation& invocation, const PreviewRequest& request, Conso
     return ExitCode::done;
 }
 
+// Checks whether the folder may be written to, as far as this can be seen before the pictures are
+// made. Reports E0302 or E0303 if not.
+ExitCode check_output(const PreviewRequest& request, Console& console) {
+    const auto folder = inspect_output_folder(request.output, {}, true);
+    if (const ExitCode code = console.report(folder.diagnostics); !folder.value) return code;
+    if (request.force) return ExitCode::done;
+    return console.report(
+        foreign_preview_files(request.output, {page_name}, earlier_preview_files(request.output)));
+}
+
 ExitCode run_preview(const Invocation& invocation, Console& console) {
     const auto request = preview_request(invocation);
     if (const ExitCode code = console.report(request.diagnostics); !request.value) return code;
@@ -226,14 +236,6 @@ AssetMemo ReadyFiles::light() {
     memo.sources = {&*cache_};
     memo.cache = &*cache_;
     return memo;
-}
-
-ExitCode check_output(const PreviewRequest& request, Console& console) {
-    const auto folder = inspect_output_folder(request.output, {}, true);
-    if (const ExitCode code = console.report(folder.diagnostics); !folder.value) return code;
-    if (request.force) return ExitCode::done;
-    return console.report(
-        foreign_preview_files(request.output, {page_name}, earlier_preview_files(request.output)));
 }
 
 ExitCode write_preview(PreviewPage page, const PreviewRequest& request, Console& console) {

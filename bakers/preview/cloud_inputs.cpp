@@ -37,8 +37,8 @@ const CloudVolumeBake* frame_bake(const PreviewAssets& assets, const PreviewAsse
 
 bool is_played(const PagePicture& picture) { return picture.frames_per_second > 0; }
 
-}  // namespace
-
+// Returns the place of a cloud volume among the frames that a preview shows, or nothing if it is no frame
+// or the only one that is shown.
 std::optional<SequenceFrame> sequence_frame(const PreviewAssets& assets,
                                             const PreviewAsset& asset) {
     const CloudVolumeBake* own = frame_bake(assets, asset);
@@ -54,6 +54,8 @@ std::optional<SequenceFrame> sequence_frame(const PreviewAssets& assets,
     if (frame.count < 2) return std::nullopt;
     return frame;
 }
+
+}  // namespace
 
 void SequenceScenes::share_exposures(CloudPreviewInput& input) const {
     if (!input.frame) return;
@@ -241,10 +243,11 @@ std::optional<std::vector<float>> leaps_of_grid(const PreviewAsset& grid, const 
           std::pair(OccupancyContent::maximum, threshold)}) {
         const auto values = values_of(grid, bake, content);
         if (!values) continue;
-        const auto leaps = occupancy::leap_distance(
-            {size, mapped<std::uint8_t>(*values, [empty = greatest_empty](const float value) {
-                 return value > empty ? 1 : 0;
-             })});
+        const auto occupied = [empty = greatest_empty](float value) -> std::uint8_t {
+            return value > empty ? 1 : 0;
+        };
+        const auto leaps =
+            occupancy::leap_distance({size, mapped<std::uint8_t>(*values, occupied)});
         return std::vector<float>(leaps.begin(), leaps.end());
     }
     return std::nullopt;

@@ -20,10 +20,6 @@
 
 namespace skybake {
 
-// Returns the place of a cloud volume among the frames that a preview shows, or nothing if it is no frame
-// or the only one that is shown.
-std::optional<SequenceFrame> sequence_frame(const PreviewAssets& assets, const PreviewAsset& asset);
-
 // Gathers the lit pictures of the frames of all sequences, which come in their order.
 class SequenceScenes {
   public:

@@ -7,7 +7,7 @@
 #include "bakers/io/files/to_string.h"
 #include "bakers/io/manifest/release.h"
 #include "bakers/preview/page_text.h"
-#include "config/sections/cloud.h"
+#include "config/text/mapped.h"
 
 namespace skybake {
 namespace {
@@ -32,9 +32,7 @@ Json to_json(const PagePicture& picture) {
 }
 
 Json to_json(const std::vector<PagePicture>& pictures) {
-    Json json = Json::array();
-    for (const PagePicture& picture : pictures) json.push_back(to_json(picture));
-    return json;
+    return mapped<Json>(pictures, [](const PagePicture& picture) { return to_json(picture); });
 }
 
 Json plot_json(const PageAsset& asset) {
@@ -140,20 +138,18 @@ Json to_json(const PageTable& table) {
     for (const PageTable::Column& column : table.columns) {
         columns.push_back({{"title", column.title}, {"shown", column.shown}});
     }
-    Json rows = Json::array();
-    for (const PageVariant& variant : table.variants) rows.push_back(to_json(variant));
+    const auto rows =
+        mapped<Json>(table.variants, [](const PageVariant& variant) { return to_json(variant); });
     return {{"title", table.title},
             {"content", table.content},
             {"pictures", to_json(table.pictures)},
             {"columns", std::move(columns)},
-            {"rows", std::move(rows)}};
+            {"rows", rows}};
 }
 
 template <class T>
 Json array_of(const std::vector<T>& elements) {
-    Json json = Json::array();
-    for (const T& element : elements) json.push_back(to_json(element));
-    return json;
+    return mapped<Json>(elements, [](const T& element) { return to_json(element); });
 }
 
 std::string script_text(const Json& json) {

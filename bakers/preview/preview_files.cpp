@@ -15,7 +15,11 @@
 #include "config/text/mapped.h"
 
 namespace skybake {
+namespace {
 
+// Returns a safe file name for a name from a manifest, which may be anything ("../../.profile").
+// The result consists of letters, digits and `_-.`, does not name a hidden file, and is not too
+// long for file systems.
 std::string file_stem(std::string_view name) {
     constexpr std::size_t longest = 120;
     std::string stem(name.substr(0, longest));
@@ -27,6 +31,8 @@ std::string file_stem(std::string_view name) {
     if (stem.empty() || stem.front() == '.') stem.insert(stem.begin(), '_');
     return stem;
 }
+
+}  // namespace
 
 std::vector<PagePicture> PictureEncoder::encode(
     const std::string& key, const std::function<std::vector<PreviewPicture>()>& make) {

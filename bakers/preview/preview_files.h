@@ -17,11 +17,6 @@
 
 namespace skybake {
 
-// Returns a safe file name for a name from a manifest, which may be anything ("../../.profile").
-// The result consists of letters, digits and `_-.`, does not name a hidden file, and is not too
-// long for file systems.
-std::string file_stem(std::string_view name);
-
 // A memo of pictures that were made before, by a key of what they depend on.
 using PicturesByKey = std::map<std::string, std::vector<PagePicture>>;
 struct PictureMemo {

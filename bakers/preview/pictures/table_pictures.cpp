@@ -201,9 +201,7 @@ class TablePictures {
         return {quantity_.angle, [widest](double t) { return t * widest; }, AxisTicks::angles};
     }
     ChartAxis altitude_axis() const {
-        const double thickness = geometry_.thickness_km();
-        return {"altitude (km)", [thickness](double t) { return t * thickness; },
-                AxisTicks::decimal};
+        return linear_axis("altitude (km)", 0, geometry_.thickness_km());
     }
 
     void add(const std::string& stem, const std::string& title, std::string caption,
@@ -309,8 +307,7 @@ class TablePictures {
                            AxisTicks::decimal};
         const ChartAxis across =
             geometry.is_transmittance()
-                ? ChartAxis{"u: straight up on the left, the horizon on the right",
-                            [](double t) { return t; }, AxisTicks::decimal}
+                ? linear_axis("u: straight up on the left, the horizon on the right", 0, 1)
                 : ChartAxis{quantity_.angle,
                             [geometry](double t) { return geometry.zenith_angle(t, 0); },
                             AxisTicks::angles};
@@ -341,11 +338,9 @@ std::vector<PreviewPicture> table_pictures(const PreviewAsset& asset) {
                                   static_cast<std::size_t>(geometry->tables()));
         return TablePictures(first, *geometry).make();
     }
-    const auto coordinate = [](double t) { return t; };
     const Image2<float> colors = ScreenColor(asset.entry.conventions, table.channels).shown(table);
-    return {texels_picture(asset.entry, colors, exposure_for(colors),
-                           {"u", coordinate, AxisTicks::decimal},
-                           {"v", coordinate, AxisTicks::decimal})};
+    return {texels_picture(asset.entry, colors, exposure_for(colors), linear_axis("u", 0, 1),
+                           linear_axis("v", 0, 1))};
 }
 
 }  // namespace skybake

@@ -32,10 +32,8 @@ struct DistancePictures {
 
     ChartAxis axis_of(std::size_t a) const {
         const AxisMapping& axis = asset.entry.axes[a];
-        return {fmt::format("{} (km)", std::array{"x", "y", "altitude"}[a]),
-                [first = axis.first / 1000, last = axis.last / 1000](double t) {
-                    return first + t * (last - first);
-                }};
+        return linear_axis(fmt::format("{} (km)", std::array{"x", "y", "altitude"}[a]),
+                           axis.first / 1000, axis.last / 1000);
     }
 
     PreviewPicture picture(int axis) const {
