@@ -57,11 +57,11 @@ std::vector<Diagnostic> check_no_sweep(const FolderBake& bake) {
                        "choose another folder with -o, or bake into this one with --force")};
 }
 
-ExitCode dry_run(const FolderBake& bake, bool json, Console& console) {
+ExitCode dry_run(const FolderBake& bake, Console& console) {
     const auto plan = plan_folder(bake, false);
     if (const ExitCode code = console.report(plan.diagnostics); !plan.value) return code;
     console.report(long_bake(*plan.value));
-    console.result(json ? plan_event(*plan.value) : plan_text(*plan.value));
+    console.result(console.json() ? plan_event(*plan.value) : plan_text(*plan.value));
     return ExitCode::done;
 }
 
@@ -112,8 +112,7 @@ ExitCode run_bake(const Invocation& invocation, Console& console) {
     if (const ExitCode code = console.report(check_no_sweep(bake)); code != ExitCode::done) {
         return code;
     }
-    const bool json = console.display().json;
-    if (invocation[options::dry_run]) return dry_run(bake, json, console);
+    if (invocation[options::dry_run]) return dry_run(bake, console);
 
     const auto depfile = check_depfile(invocation);
     if (!depfile.empty()) return console.report(depfile);
@@ -129,7 +128,7 @@ ExitCode run_bake(const Invocation& invocation, Console& console) {
     bake.kept = &kept;
     if (!folder.value->empty()) bake.sources.push_back(&cache.emplace(*folder.value));
     if (!url.value->empty()) bake.sources.push_back(&server.emplace(*url.value, interrupted));
-    BakeReporter reporter(console, json);
+    BakeReporter reporter(console);
     const auto baked = bake_folder(bake, reporter);
     if (interrupted() && !baked.value) {
         console.note(has_frames(bake) ? "interrupted; frames that were complete are kept\n"
@@ -147,8 +146,8 @@ ExitCode run_bake(const Invocation& invocation, Console& console) {
         if (!written.value) return console.report(written.diagnostics);
     }
     const double elapsed_s = stopwatch.seconds();
-    console.result(json ? finished_events(*baked.value, bake.folder, elapsed_s)
-                        : paths_text(files));
+    console.result(console.json() ? finished_events(*baked.value, bake.folder, elapsed_s)
+                                  : paths_text(files));
     console.note(summary_text(*baked.value, {elapsed_s, console.error_columns(), bake.prune}));
     return code;
 }

@@ -342,7 +342,7 @@ std::vector<Diagnostic> long_bake(const FolderPlan& plan) {
 
 void BakeReporter::planned(const FolderPlan& plan) {
     console_.report(long_bake(plan));
-    if (json_) console_.result(plan_event(plan));
+    if (console_.json()) console_.result(plan_event(plan));
     if (console_.display().verbose) {
         console_.detail(plan_text(plan));
     } else {

@@ -19,7 +19,7 @@ class Console;
 // Tells people, or programs with --json, how a bake of a folder goes.
 class BakeReporter : public BakeObserver {
   public:
-    BakeReporter(Console& console, bool json) : console_(console), json_(json) {}
+    explicit BakeReporter(Console& console) : console_(console) {}
 
     bool cancelled() const override;
     void waits() override;
@@ -28,7 +28,6 @@ class BakeReporter : public BakeObserver {
 
   private:
     Console& console_;
-    bool json_;
     std::vector<std::string> stale_;  // the assets that are to be made, in order
 };
 

@@ -62,7 +62,7 @@ ExitCode run_check(const Invocation& invocation, Console& console) {
     if (problems.empty()) problems = check_air(*outcome.value);
     if (!problems.empty()) return console.report_results(problems);
     const Parameters& parameters = outcome.value->parameters;
-    if (console.display().json) {
+    if (console.json()) {
         console.result(checked_event(name, parameters, outcome.diagnostics));
     }
     console.note(fmt::format("{}: no errors; {}\n", name, contents(parameters)));

@@ -98,11 +98,12 @@ Display display_of(const CommandLine& line, std::span<const std::string> words, 
     return display;
 }
 
-void show_version(bool json, Console& console) {
+void show_version(Console& console) {
     const std::string text = fmt::format("{} {}\n", tool_name(), release());
     console.result(
-        json ? event_line({{"event", "version"}, {"name", tool_name()}, {"release", release()}})
-             : text);
+        console.json()
+            ? event_line({{"event", "version"}, {"name", tool_name()}, {"release", release()}})
+            : text);
 }
 
 ExitCode answer(const CommandLine& line, bool wordless, Console& console) {
@@ -112,12 +113,12 @@ ExitCode answer(const CommandLine& line, bool wordless, Console& console) {
         return ExitCode::done;
     }
     if (line.invocation[options::version]) {
-        show_version(console.display().json, console);
+        show_version(console);
         return ExitCode::done;
     }
     if (line.command != nullptr) return line.command->run(line.invocation, console);
     if (wordless) {
-        console.note(short_help(commands()));
+        console.note(short_help());
         return ExitCode::usage;
     }
     return console.report(

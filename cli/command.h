@@ -227,20 +227,18 @@ std::vector<ExitCodeWords> exit_codes(std::span<const ExitCode> codes);
 std::string option_help(const OptionRow& option);
 
 // Returns the twelve lines that `skybake` prints without a command.
-std::string short_help(std::span<const Command> commands);
+std::string short_help();
 
 // Prints the help of a command, or of the program if `command` is null, in at most 40 lines.
 void show_help(const Command* command, Console& console);
 
 // These return the sources of the man pages skybake(1) and skybake-COMMAND(1).
-std::string man_page(std::span<const Command> commands, std::span<const OptionRow> globals,
-                     std::span<const Example> examples);
+std::string man_page(std::span<const Example> examples);
 std::string man_page(const Command& command);
 
 enum class Shell { bash, zsh, fish };
 
 // Returns a shell script that completes commands, options, choices and file names.
-std::string completion(Shell shell, std::span<const Command> commands,
-                       std::span<const OptionRow> globals);
+std::string completion(Shell shell);
 
 }  // namespace skybake::cli

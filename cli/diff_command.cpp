@@ -156,8 +156,8 @@ ExitCode run_diff(const Invocation& invocation, Console& console) {
     const Judgement judgement{invocation[options::tolerance], invocation[options::metadata]};
     const ExitCode code = console.report(comparison.diagnostics);
     if (comparison.files.empty() && code != ExitCode::done) return code;
-    console.result(console.display().json ? as_json(comparison, judgement)
-                                          : as_text(comparison, judgement));
+    console.result(console.json() ? as_json(comparison, judgement)
+                                  : as_text(comparison, judgement));
     if (code != ExitCode::done) return code;
     return judgement.equal(comparison) ? ExitCode::done : ExitCode::differs;
 }

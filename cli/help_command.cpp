@@ -81,12 +81,11 @@ constexpr std::array<Example, 1> first_steps = {{
     {"skybake bake earth.toml -o out", "bakes its tables and measures their errors"},
 }};
 
-std::string global_help(std::span<const Command> commands,
-                        std::span<const OptionRow> global_options) {
+std::string global_help() {
     std::string text = fmt::format("skybake {}\n", program_summary) +
                        "usage: skybake <command> [recipe.toml] [options]\n\ncommands:\n";
-    text += table_of(commands, &Command::name, &Command::summary);
-    text += "\noptions (after the command):\n" + option_table(global_options);
+    text += table_of(commands(), &Command::name, &Command::summary);
+    text += "\noptions (after the command):\n" + option_table(global_options());
     text += "\nexamples:\n" + table_of(first_steps, &Example::command, &Example::what);
     return text + "\nexit codes:\n" + exit_code_table({});
 }
@@ -106,14 +105,13 @@ std::string command_help(const Command& command) {
 }
 
 ExitCode print(const std::string& text, Console& console) {
-    console.result(console.display().json ? event_line({{"event", "help"}, {"text", text}}) : text);
+    console.result(console.json() ? event_line({{"event", "help"}, {"text", text}}) : text);
     return ExitCode::done;
 }
 
 ExitCode run_help(const Invocation& invocation, Console& console) {
     if (invocation.has(options::completion)) {
-        return print(completion(invocation[options::completion], commands(), global_options()),
-                     console);
+        return print(completion(invocation[options::completion]), console);
     }
     const Command* command = nullptr;
     if (!invocation.arguments().empty()) {
@@ -125,9 +123,7 @@ ExitCode run_help(const Invocation& invocation, Console& console) {
         command = &*found;
     }
     if (invocation[options::man]) {
-        return print(command != nullptr ? man_page(*command)
-                                        : man_page(commands(), global_options(), first_steps),
-                     console);
+        return print(command != nullptr ? man_page(*command) : man_page(first_steps), console);
     }
     show_help(command, console);
     return ExitCode::done;
@@ -151,14 +147,15 @@ std::string option_help(const OptionRow& option) {
     return text;
 }
 
-std::string short_help(std::span<const Command> commands) {
+std::string short_help() {
     TextTable table;
-    const std::size_t rows = (commands.size() + 1) / 2;
+    const std::vector<Command>& all = commands();
+    const std::size_t rows = (all.size() + 1) / 2;
     for (std::size_t i = 0; i < rows; ++i) {
         std::vector<std::string> row;
-        for (std::size_t k = i; k < commands.size(); k += rows) {
-            row.emplace_back(commands[k].name);
-            row.emplace_back(commands[k].brief);
+        for (std::size_t k = i; k < all.size(); k += rows) {
+            row.emplace_back(all[k].name);
+            row.emplace_back(all[k].brief);
         }
         table.add_row(row);
     }
@@ -167,8 +164,7 @@ std::string short_help(std::span<const Command> commands) {
 }
 
 void show_help(const Command* command, Console& console) {
-    print(command != nullptr ? command_help(*command) : global_help(commands(), global_options()),
-          console);
+    print(command != nullptr ? command_help(*command) : global_help(), console);
 }
 
 Command help_command() {

@@ -160,20 +160,19 @@ std::string reason_in(const std::string& message, const std::string& path) {
 
 }  // namespace
 
-ExitCode show_grids(const fs::path& path, bool json, Console& console) {
+ExitCode show_grids(const fs::path& path, Console& console) {
     const auto file = read_grids(path);
     if (!file.value) return console.report(file.diagnostics);
-    console.result(json ? grids_json(path.string(), *file.value)
-                        : grids_text(path.string(), *file.value));
+    console.result(console.json() ? grids_json(path.string(), *file.value)
+                                  : grids_text(path.string(), *file.value));
     return ExitCode::done;
 }
 
-ExitCode show_exr_heads(const fs::path& path, const Diagnostic& reason, bool json,
-                        Console& console) {
+ExitCode show_exr_heads(const fs::path& path, const Diagnostic& reason, Console& console) {
     const auto parts = read_exr_heads(path);
     if (!parts.value || reason.code != "E0304") return console.report({&reason, 1});
     const std::string unread = reason_in(reason.message, path.string());
-    if (json) {
+    if (console.json()) {
         console.result(event_line({{"event", "parts"},
                                    {"path", path.string()},
                                    {"unread", unread},

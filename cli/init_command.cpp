@@ -192,10 +192,10 @@ ExitCode write_recipe(const std::string& file, const KnownPreset& preset, bool f
     const auto outcome = write_file_atomically(file, preset.recipe());
     const ExitCode code = console.report(outcome.diagnostics);
     if (!outcome.value) return code;
-    console.result(console.display().json ? event_line({{"event", "recipe_written"},
-                                                        {"path", file},
-                                                        {"preset", preset.full_name()}})
-                                          : file + '\n');
+    console.result(console.json() ? event_line({{"event", "recipe_written"},
+                                                {"path", file},
+                                                {"preset", preset.full_name()}})
+                                  : file + '\n');
     console.note(
         fmt::format("{} was written from the preset {}\n"
                     "next: skybake bake {} -o out\n",
@@ -206,14 +206,14 @@ ExitCode write_recipe(const std::string& file, const KnownPreset& preset, bool f
 void print_recipe(const KnownPreset& preset, Console& console) {
     const std::string text = preset.recipe();
     console.result(
-        console.display().json
+        console.json()
             ? event_line({{"event", "recipe"}, {"preset", preset.full_name()}, {"text", text}})
             : text);
 }
 
 ExitCode run_init(const Invocation& invocation, Console& console) {
     if (invocation[options::list]) {
-        console.result(console.display().json ? preset_list_event() : preset_list());
+        console.result(console.json() ? preset_list_event() : preset_list());
         return ExitCode::done;
     }
     const auto preset = preset_of(invocation[options::preset]);

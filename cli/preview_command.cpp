@@ -179,8 +179,8 @@ ExitCode show(const Invocation& invocation, const PreviewRequest& request, Conso
         preview_file_names(*page.value),
         [&](const std::string& name) { return (request.output / name).string(); });
     const double elapsed_s = stopwatch.seconds();
-    console.result(console.display().json ? previewed_event(paths, elapsed_s)
-                                          : fmt::format("{}\n", fmt::join(paths, "\n")));
+    console.result(console.json() ? previewed_event(paths, elapsed_s)
+                                  : fmt::format("{}\n", fmt::join(paths, "\n")));
     const std::string made = paths.size() > 1 ? counted(paths.size() - 1, "picture") : "a page";
     console.note(fmt::format("{} in {:.1f} s: open {}\n", made, elapsed_s, paths.back()));
     return ExitCode::done;

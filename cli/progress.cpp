@@ -60,7 +60,7 @@ ProgressLine::ProgressLine(Console& console, std::function<std::string()> text,
     : console_(console),
       text_(std::move(text)),
       every_(every.value_or(console.error_is_terminal() ? milliseconds{200} : milliseconds{5000})) {
-    if (!console.shows_notes() || console.display().json) return;
+    if (!console.shows_notes() || console.json()) return;
     try {
         teller_ = std::thread([this] { tell(); });
     } catch (const std::system_error&) {  // the system grants no thread: the work goes on untold

@@ -212,7 +212,7 @@ ExitCode run_show(const Invocation& invocation, Console& console) {
     const bool all_layers = names.size() <= 2 && shows_layers(lines);
     const bool sums = (whole && has_atmosphere(outcome.value->parameters)) || all_layers;
     const Parameters* const sky = sums ? &outcome.value->parameters : nullptr;
-    if (console.display().json) {
+    if (console.json()) {
         console.result(values_event(recipe_name(invocation.arguments()[0]), lines, sky));
     } else {
         console.result(values_text(lines, asked) + (sky ? '\n' + depths_text(*sky) : ""));

@@ -186,10 +186,9 @@ std::vector<VariantResult> make(const SweepJob& job, std::vector<PlannedVariant>
     return results;
 }
 
-ExitCode dry_run(const SweepJob& job, const std::vector<PlannedVariant>& plan, bool json,
-                 Console& console) {
-    console.result(json ? sweep_event(job, plan) + planned_variant_events(job, plan)
-                        : plan_table(plan));
+ExitCode dry_run(const SweepJob& job, const std::vector<PlannedVariant>& plan, Console& console) {
+    console.result(console.json() ? sweep_event(job, plan) + planned_variant_events(job, plan)
+                                  : plan_table(plan));
     console.note(plan_note(job, plan) + intermediates_note(plan));
     std::vector<VariantResult> failed;
     for (const PlannedVariant& variant : plan) {
@@ -208,7 +207,6 @@ std::string interrupted_text(int made) {
 
 ExitCode sweep(const Invocation& invocation, const SweepJob& job, Console& console) {
     const Stopwatch stopwatch;
-    const bool json = console.display().json;
     const bool merge = invocation[options::merge];
     const bool writes_index = job.shards == 1;
     const auto obstacles = inspect_index(job.folder, job.force);
@@ -219,11 +217,11 @@ ExitCode sweep(const Invocation& invocation, const SweepJob& job, Console& conso
         return ExitCode::interrupted;
     }
     if (writes_index && all_failed(plan)) return console.report(plan[0].result.diagnostics);
-    if (invocation[options::dry_run]) return dry_run(job, plan, json, console);
-    if (json) console.result(sweep_event(job, plan));
+    if (invocation[options::dry_run]) return dry_run(job, plan, console);
+    if (console.json()) console.result(sweep_event(job, plan));
     if (!merge) console.note(plan_note(job, plan));
 
-    SweepReporter reporter(job, plan.size(), console, json);
+    SweepReporter reporter(job, plan.size(), console);
     const std::vector<VariantResult> results = make(job, std::move(plan), merge, reporter);
     if (interrupted()) {
         console.note(interrupted_text(reporter.made()));
@@ -233,7 +231,7 @@ ExitCode sweep(const Invocation& invocation, const SweepJob& job, Console& conso
         const auto failures = write_index(job.folder, job.sweep, results);
         if (!failures.empty()) return console.report(failures);
     }
-    if (json) {
+    if (console.json()) {
         console.result(swept_event(results, reporter.made(), stopwatch.seconds()));
     } else {
         console.result(paths_text(job, results) + (writes_index ? index_paths_text(job) : ""));

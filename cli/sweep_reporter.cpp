@@ -48,8 +48,8 @@ std::string_view planned_to_string(VariantStatus status) {
 
 }  // namespace
 
-SweepReporter::SweepReporter(const SweepJob& job, std::size_t variants, Console& console, bool json)
-    : job_(job), variants_(variants), console_(console), json_(json) {
+SweepReporter::SweepReporter(const SweepJob& job, std::size_t variants, Console& console)
+    : job_(job), variants_(variants), console_(console) {
     line_.emplace(console_, [this] { return text(); });
 }
 
@@ -93,7 +93,7 @@ void SweepReporter::finished(const VariantResult& variant, bool made, double sec
         if (made) ++worked_on_;
         at_work_.clear();
     }
-    if (json_) {
+    if (console_.json()) {
         const std::string_view state = failed ? "failed" : made ? "made" : "up_to_date";
         console_.result(event_line({{"event", "variant"},
                                     {"index", variant.index},

@@ -108,7 +108,7 @@ ExitCode emit_tasks(const Invocation& invocation, const SweepJob& job, Console& 
         text +=
             fmt::format("{}-j {} --shard {}/{}\n", command, std::max(job.threads, 1), task, tasks);
     }
-    if (console.display().json) {
+    if (console.json()) {
         console.result(event_line(
             {{"event", "script"}, {"engine", "commands"}, {"text", text}, {"merge", merge}}));
         return ExitCode::done;

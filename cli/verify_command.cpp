@@ -82,7 +82,7 @@ ExitCode run_verify(const Invocation& invocation, Console& console) {
     if (interrupted()) return ExitCode::interrupted;
     const ExitCode code = console.report(outcome.diagnostics);
     if (!outcome.value) return code;
-    console.result(console.display().json ? as_json(*outcome.value) : as_text(*outcome.value));
+    console.result(console.json() ? as_json(*outcome.value) : as_text(*outcome.value));
     return outcome.value->failures.empty() ? ExitCode::done : ExitCode::differs;
 }
 

@@ -236,9 +236,8 @@ class Watch {
         if (exit_code_ != ExitCode::done) return false;
         if (state_.revision == 0) {
             const std::string path = request_.page_path();
-            console_.result(console_.display().json
-                                ? event_line({{"event", "watching"}, {"page", path}})
-                                : path + "\n");
+            console_.result(console_.json() ? event_line({{"event", "watching"}, {"page", path}})
+                                            : path + "\n");
         }
         state_.revision = page.watch_revision;
         shown_ = page;

@@ -195,9 +195,8 @@ std::string watch_element(int revision) {
 }
 
 std::string page_html(const PreviewPage& page) {
-    return filled(embedded_text("page.html"), {{"generator", html_text(generator())},
+    return filled(embedded_text("page.html"), {{"head", head_html(page, "page.css")},
                                                {"title", html_text(page.title)},
-                                               {"style", std::string(embedded_text("page.css"))},
                                                {"data", page_data(page)},
                                                {"pictures", pictures_html(page)},
                                                {"script", page_script()},

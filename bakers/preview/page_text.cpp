@@ -33,6 +33,12 @@ std::string filled(std::string_view form, const std::map<std::string_view, std::
     }
 }
 
+std::string head_html(const PreviewPage& page, std::string_view style) {
+    return filled(embedded_text("head.html"), {{"generator", html_text(generator())},
+                                               {"title", html_text(page.title)},
+                                               {"style", std::string(embedded_text(style))}});
+}
+
 std::string_view kind_name(PictureKind kind) {
     constexpr std::array<std::string_view, 3> names = {"image", "scene", "plot"};
     return names[static_cast<std::size_t>(kind)];

@@ -128,9 +128,8 @@ std::string shaders_json() {
 // beside it.
 std::string live_html(const PreviewPage& page) {
     return filled(embedded_text("live.html"),
-                  {{"generator", html_text(generator())},
+                  {{"head", head_html(page, "live.css")},
                    {"title", html_text(page.title)},
-                   {"style", std::string(embedded_text("live.css"))},
                    {"pictures", pictures_html(page)},
                    {"shaders", shaders_json()},
                    {"scene", safe_in_script(page.live_scene)},

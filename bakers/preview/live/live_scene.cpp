@@ -240,8 +240,8 @@ Json scene_of(const PreviewAssets& assets, const PreviewOptions& options, const 
 
 Outcome<std::string> live_scene(const PreviewAssets& assets, const PreviewOptions& options) {
     if (!assets.recipe) {
-        return option_fault("--live needs the numbers of a recipe, and these files name none",
-                            "show the folder of a bake, or a recipe");
+        return diagnosis("E0001", "--live needs the numbers of a recipe, and these files name none",
+                         "show the folder of a bake, or a recipe");
     }
     std::string light_name = "the recipe's atmosphere";
     std::optional<RuntimeAir> light = runtime_air(*assets.recipe, assets, options.threads);
@@ -258,8 +258,8 @@ Outcome<std::string> live_scene(const PreviewAssets& assets, const PreviewOption
     if (!has_colours(light)) {
         return {
             {},
-            {option_fault("--live shows light of three or four channels",
-                          fmt::format("this air has {}", light ? light->medium.air.channels : 0))}};
+            {diagnosis("E0001", "--live shows light of three or four channels",
+                       fmt::format("this air has {}", light ? light->medium.air.channels : 0))}};
     }
     const Json scene = scene_of(assets, options, *light, light_name);
     return {scene.dump(-1, ' ', false, Json::error_handler_t::replace), {}};
