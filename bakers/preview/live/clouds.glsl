@@ -1,8 +1,8 @@
 // Clouds, marched and lit as bakers/render/scene_view.h describes: samples of a layer lie at (k + jitter) * its step,
 // those of all layers are taken in the order of their distances, a march leaps by the grid over what is empty, and
 // others go from each lit sample towards the sun. Above this text stand the numbers of the recipe, the published
-// lookups, cloud_library.glsl and one function for each layer's textures (live_glsl.h). Places are in metres: x and y from the tiles'
-// corner, and z from the ground or, where a function takes a layer and p, from the layer's base.
+// lookups, cloud_library.glsl and one function for each layer's textures (live_glsl.h). Places are in metres: x and y
+// from the tiles' corner, and z from the ground or, where a function takes a layer and p, from the layer's base.
 uniform highp sampler3D share_table;
 uniform float extinction_factor, view_step[CLOUDS], sun_step[CLOUDS], sun_samples[CLOUDS], reach[CLOUDS];
 uniform vec2 fade[CLOUDS];      // the distances between which a layer fades; it does not where both are 0
