@@ -13,6 +13,7 @@ namespace skybake {
 namespace {
 
 using nlohmann::json;
+using namespace std::string_literals;
 
 std::size_t count(const std::string& text, const std::string& piece) {
     std::size_t found = 0;
@@ -37,8 +38,7 @@ json data_of(const std::string& html) {
 }
 
 PagePicture picture(const std::string& name) {
-    return {{name, "Title of " + name, "Caption of " + name, Picture(4, 2)},
-            std::string("\x89PNG\0\xff", 6)};
+    return {{name, "Title of " + name, "Caption of " + name, Picture(4, 2)}, "\x89PNG\0\xff"s};
 }
 
 PreviewPage page_of(const std::string& name) {
