@@ -101,9 +101,8 @@ std::optional<std::uint64_t> parse_byte_size(std::string_view text) {
     return std::nullopt;
 }
 
-std::optional<std::int64_t> parse_count(std::string_view text, std::int64_t least,
-                                        std::int64_t most) {
-    std::int64_t count = 0;
+std::optional<int> parse_count(std::string_view text, int least, int most) {
+    int count = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
     const bool whole = error == std::errc() && end == text.data() + text.size();
     if (!whole || count < least || count > most) return std::nullopt;
@@ -125,7 +124,7 @@ Outcome<fs::path> read_folder(const std::string& text) {
 }
 
 Outcome<int> read_jobs(const std::string& text) {
-    if (const auto threads = parse_count(text, 1, 1024)) return {static_cast<int>(*threads), {}};
+    if (const auto threads = parse_count(text, 1, 1024)) return {threads, {}};
     return bad_value("-j", text, "it takes a number of threads from 1 to 1024");
 }
 

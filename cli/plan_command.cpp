@@ -47,9 +47,7 @@ Outcome<double> read_share(const std::string& text, std::string_view option) {
 }
 
 Outcome<double> read_fetches(const std::string& text) {
-    if (const auto count = parse_count(text, 1, 1'000'000)) {
-        return {static_cast<double>(*count), {}};
-    }
+    if (const auto count = parse_count(text, 1, 1'000'000)) return {count, {}};
     return bad_value("--max-fetches", text, "it takes a number from 1 to 1000000");
 }
 

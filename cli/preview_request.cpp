@@ -65,9 +65,7 @@ Outcome<T> valid(const std::optional<T>& value, std::string_view option, std::st
 
 Outcome<int> read_count(std::string_view text, int least, int most, std::string_view option,
                         std::string_view what) {
-    std::optional<int> count;
-    if (const auto found = parse_count(text, least, most)) count = static_cast<int>(*found);
-    return valid(count, option, text, what,
+    return valid(parse_count(text, least, most), option, text, what,
                  fmt::format("expected a number from {} to {}", least, most));
 }
 
@@ -246,7 +244,7 @@ Outcome<std::array<int, 2>> read_size(const std::string& text) {
     const auto width = parse_count(view.substr(0, by), least, most);
     const auto height = parse_count(view.substr(std::min(by + 1, view.size())), least, most);
     std::optional<std::array<int, 2>> size;
-    if (width && height) size = {static_cast<int>(*width), static_cast<int>(*height)};
+    if (width && height) size = {*width, *height};
     return valid(size, "--size", text, "size",
                  fmt::format("expected pixels from {} to {}, such as 1920x1080", least, most));
 }

@@ -30,7 +30,7 @@ namespace skybake::cli {
 
 Outcome<int> options::read_tasks(const std::string& text) {
     const auto tasks = parse_count(text, 1, config::most_variants);
-    if (tasks) return {static_cast<int>(*tasks), {}};
+    if (tasks) return {tasks, {}};
     return bad_value("--tasks", text,
                      fmt::format("it takes a number from 1 to {}", config::most_variants));
 }
@@ -41,9 +41,7 @@ Outcome<std::pair<int, int>> options::read_shard(const std::string& text) {
     const auto shard = parse_count(view.substr(0, slash), 1, config::most_variants);
     const auto shards =
         parse_count(view.substr(std::min(slash + 1, text.size())), 1, config::most_variants);
-    if (shard && shards && *shard <= *shards) {
-        return {std::pair(static_cast<int>(*shard), static_cast<int>(*shards)), {}};
-    }
+    if (shard && shards && *shard <= *shards) return {std::pair(*shard, *shards), {}};
     return bad_value("--shard", text, "it takes I/N, which is part I of N, from 1/N to N/N");
 }
 

@@ -59,33 +59,31 @@ std::optional<SequenceFrame> sequence_frame(const PreviewAssets& assets,
 
 void SequenceScenes::share_exposures(CloudPreviewInput& input) const {
     if (!input.frame) return;
-    const auto found = exposures_.find(input.frame->sequence);
-    if (found != exposures_.end()) input.exposures = found->second;
+    const auto found = std::ranges::find(sequences_, input.frame->sequence, &Sequence::name);
+    if (found != sequences_.end()) input.exposures = found->exposures;
 }
 
 void SequenceScenes::take(const SequenceFrame& frame, std::vector<PagePicture>& pictures) {
     const auto others = std::stable_partition(pictures.begin(), pictures.end(), is_played);
-    const auto [scene, is_new] = scenes_.try_emplace(frame.sequence);
-    if (is_new) {
-        order_.push_back(frame.sequence);
-        scene->second.title = frame.sequence + ", frame by frame";
-        scene->second.content = fmt::format(
+    auto sequence = std::ranges::find(sequences_, frame.sequence, &Sequence::name);
+    if (sequence == sequences_.end()) {
+        sequence = sequences_.insert(sequence, Sequence{frame.sequence, {}, {}});
+        sequence->scene.title = frame.sequence + ", frame by frame";
+        sequence->scene.content = fmt::format(
             "The pictures show {} frames of {}, which play at {:g} per second. All have the camera "
             "and the exposure of the first one.",
             frame.count, frame.sequence, frame.per_second);
-        scene->second.clouds = true;
+        sequence->scene.clouds = true;
         for (auto picture = pictures.begin(); picture != others; ++picture) {
-            exposures_[frame.sequence].push_back(picture->exposure.value_or(1));
+            sequence->exposures.push_back(picture->exposure.value_or(1));
         }
     }
-    std::move(pictures.begin(), others, std::back_inserter(scene->second.pictures));
+    std::move(pictures.begin(), others, std::back_inserter(sequence->scene.pictures));
     pictures.erase(pictures.begin(), others);
 }
 
 std::vector<PageScene> SequenceScenes::scenes() && {
-    std::vector<PageScene> all;
-    for (const std::string& name : order_) all.push_back(std::move(scenes_.at(name)));
-    return all;
+    return mapped<PageScene>(sequences_, [](Sequence& one) { return std::move(one.scene); });
 }
 
 namespace {

@@ -5,7 +5,6 @@
 // Leaps (empty-space skip distances) for a march, from a baked occupancy grid.
 #pragma once
 
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,9 +32,12 @@ class SequenceScenes {
     std::vector<PageScene> scenes() &&;
 
   private:
-    std::vector<std::string> order_;
-    std::map<std::string, PageScene> scenes_;
-    std::map<std::string, std::vector<double>> exposures_;  // of each sun
+    struct Sequence {
+        std::string name;
+        PageScene scene;
+        std::vector<double> exposures;  // of each sun
+    };
+    std::vector<Sequence> sequences_;
 };
 
 // Gathers the input for the pictures of a cloud from the assets of a preview. For a cloud volume,
