@@ -148,7 +148,7 @@ ExitCode run_bake(const Invocation& invocation, Console& console) {
     const double elapsed_s = stopwatch.seconds();
     console.result(console.json() ? finished_events(*baked.value, bake.folder, elapsed_s)
                                   : paths_text(files));
-    console.note(summary_text(*baked.value, {elapsed_s, console.error_columns(), bake.prune}));
+    console.note(summary_text(*baked.value, elapsed_s, console.error_columns(), bake.prune));
     return code;
 }
 

@@ -305,15 +305,15 @@ std::string reasons_text(const FolderPlan& plan) {
     return text;
 }
 
-std::string summary_text(const BakedFolder& baked, const SummaryOptions& options) {
+std::string summary_text(const BakedFolder& baked, double seconds, int columns, bool prune) {
     std::string advice;
     std::uint64_t bytes = 0;
     for (const FinishedAsset& finished : baked.assets) {
         for (const ManifestFile& file : finished.entry.files) bytes += file.bytes;
         if (finished.state != AssetState::up_to_date) advice += advice_text(finished.entry);
     }
-    return assets_text(baked, options.columns) + advice + retired_text(baked, options.prune) +
-           fmt::format("{}, {}, {}, {}\n", count_text(baked), time_text(options.seconds),
+    return assets_text(baked, columns) + advice + retired_text(baked, prune) +
+           fmt::format("{}, {}, {}, {}\n", count_text(baked), time_text(seconds),
                        byte_size_text(static_cast<double>(bytes)), manifest_name);
 }
 

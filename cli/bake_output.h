@@ -38,16 +38,10 @@ std::string plan_text(const FolderPlan& plan);
 // Says why assets that were baked before are baked again, one line each. New assets are left out.
 std::string reasons_text(const FolderPlan& plan);
 
-struct SummaryOptions {
-    double seconds = 0;  // of the whole command
-    int columns = 0;     // of the terminal; 0: no limit
-    bool prune = false;  // --prune asked to remove files of earlier recipes
-};
-
-// Returns a table with one row per file that was made. The first row of an asset has its size,
-// times and errors. After the table it says what became of files of earlier recipes, and gives
-// totals.
-std::string summary_text(const BakedFolder& baked, const SummaryOptions& options);
+// Returns a table with one row per file that was made, within so many columns (0: no limit). The
+// first row of an asset has its size, times and errors. After the table it says what became of files
+// of earlier recipes, which --prune asked to remove, and gives totals, with the time of the command.
+std::string summary_text(const BakedFolder& baked, double seconds, int columns, bool prune);
 
 // Spells an extent: "256x64", "128x128x128".
 std::string extent_text(std::span<const int> size);
