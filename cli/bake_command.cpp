@@ -44,7 +44,7 @@ FolderBake folder_bake(const Invocation& invocation, const BakeSelection& select
     bake.force = invocation[options::force];
     bake.prune = invocation[options::prune];
     bake.frame_by_frame = true;
-    bake.memory_limit_mib = memory_limit_mib(invocation);
+    bake.memory_limit_mib = invocation.given(options::max_memory);
     return bake;
 }
 
@@ -57,40 +57,34 @@ std::vector<Diagnostic> check_no_sweep(const FolderBake& bake) {
                        "choose another folder with -o, or bake into this one with --force")};
 }
 
-ExitCode dry_run(const FolderBake& bake, bool json, Console& console) {
+ExitCode dry_run(const FolderBake& bake, Console& console) {
     const auto plan = plan_folder(bake, false);
     if (const ExitCode code = console.report(plan.diagnostics); !plan.value) return code;
     console.report(long_bake(*plan.value));
-    console.result(json ? plan_event(*plan.value) : plan_text(*plan.value));
+    console.result(console.json() ? plan_event(*plan.value) : plan_text(*plan.value));
     return ExitCode::done;
 }
 
-std::string paths_text(const BakedFolder& baked, const fs::path& folder) {
-    std::string text;
+// Returns the files of all assets, and the manifest.
+std::vector<fs::path> files_of(const BakedFolder& baked, const fs::path& folder) {
+    std::vector<fs::path> files;
     for (const FinishedAsset& asset : baked.assets) {
-        for (const ManifestFile& file : asset.entry.files) {
-            text += (folder / file.path).string() + "\n";
-        }
+        for (const ManifestFile& file : asset.entry.files) files.push_back(folder / file.path);
     }
-    return text + (folder / manifest_name).string() + "\n";
+    files.push_back(folder / manifest_name);
+    return files;
 }
 
-Outcome<WriteResult> write_depfile(const fs::path& path, const FolderBake& bake,
-                                   const BakedFolder& baked) {
-    std::vector<fs::path> targets;
-    for (const FinishedAsset& asset : baked.assets) {
-        for (const ManifestFile& file : asset.entry.files) {
-            targets.push_back(bake.folder / file.path);
-        }
-    }
-    targets.push_back(bake.folder / manifest_name);
-    return write_file_atomically(path, depfile_text(targets, bake.recipe->inputs));
+std::string paths_text(const std::vector<fs::path>& files) {
+    std::string text;
+    for (const fs::path& file : files) text += file.string() + "\n";
+    return text;
 }
 
 // Returns E0303 if the dependencies would replace a file of another kind.
 std::vector<Diagnostic> check_depfile(const Invocation& invocation) {
     std::error_code ignored;
-    const fs::path path = invocation.has(options::depfile) ? invocation[options::depfile] : "";
+    const fs::path path = invocation[options::depfile];
     if (invocation[options::force] || !fs::is_regular_file(path, ignored)) return {};
     const auto found = read_file(path);
     if (!found.value) return found.diagnostics;
@@ -118,8 +112,7 @@ ExitCode run_bake(const Invocation& invocation, Console& console) {
     if (const ExitCode code = console.report(check_no_sweep(bake)); code != ExitCode::done) {
         return code;
     }
-    const bool json = console.display().json;
-    if (invocation[options::dry_run]) return dry_run(bake, json, console);
+    if (invocation[options::dry_run]) return dry_run(bake, console);
 
     const auto depfile = check_depfile(invocation);
     if (!depfile.empty()) return console.report(depfile);
@@ -135,7 +128,7 @@ ExitCode run_bake(const Invocation& invocation, Console& console) {
     bake.kept = &kept;
     if (!folder.value->empty()) bake.sources.push_back(&cache.emplace(*folder.value));
     if (!url.value->empty()) bake.sources.push_back(&server.emplace(*url.value, interrupted));
-    BakeReporter reporter(console, json);
+    BakeReporter reporter(console);
     const auto baked = bake_folder(bake, reporter);
     if (interrupted() && !baked.value) {
         console.note(has_frames(bake) ? "interrupted; frames that were complete are kept\n"
@@ -146,14 +139,16 @@ ExitCode run_bake(const Invocation& invocation, Console& console) {
     if (!baked.value) return code;
     if (cache) console.report(cache->problems());
     if (server) console.report(server->problems());
+    const std::vector<fs::path> files = files_of(*baked.value, bake.folder);
     if (invocation.has(options::depfile)) {
-        const auto written = write_depfile(invocation[options::depfile], bake, *baked.value);
+        const auto written = write_file_atomically(
+            invocation[options::depfile], depfile_text(files, selection.value->recipe.inputs));
         if (!written.value) return console.report(written.diagnostics);
     }
     const double elapsed_s = stopwatch.seconds();
-    console.result(json ? finished_events(*baked.value, bake.folder, elapsed_s)
-                        : paths_text(*baked.value, bake.folder));
-    console.note(summary_text(*baked.value, {elapsed_s, console.error_columns(), bake.prune}));
+    console.result(console.json() ? finished_events(*baked.value, bake.folder, elapsed_s)
+                                  : paths_text(files));
+    console.note(summary_text(*baked.value, elapsed_s, console.error_columns(), bake.prune));
     return code;
 }
 

@@ -26,17 +26,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string_view state_name(AssetState state) {
-    switch (state) {
-        case AssetState::up_to_date:
-            return "up_to_date";
-        case AssetState::copied:
-            return "copied";
-        case AssetState::baked:
-            break;
-    }
-    return "baked";
-}
+// In the order of AssetState.
+constexpr std::array<std::string_view, 3> state_names = {"up_to_date", "copied", "baked"};
 
 Json file_event(const FinishedAsset& asset, std::size_t i, const std::filesystem::path& folder) {
     const ManifestAsset& entry = asset.entry;
@@ -45,7 +36,7 @@ Json file_event(const FinishedAsset& asset, std::size_t i, const std::filesystem
                   {"name", entry.name},
                   {"kind", entry.kind},
                   {"path", (folder / file.path).string()},
-                  {"state", state_name(asset.state)},
+                  {"state", state_names[static_cast<std::size_t>(asset.state)]},
                   {"changed", asset.files[i] == WriteResult::written},
                   {"size", size_of(entry, file)},
                   {"format", file.format},
@@ -118,7 +109,7 @@ std::string assets_text(const BakedFolder& baked, int columns) {
                      Align::left, Align::right, Align::left});
     // A narrow terminal does not show these columns: write, certificate, colours, light, pixel type,
     // channels.
-    std::vector<std::size_t> expendable = {9, 8, 6, 5, 4, 2};
+    constexpr std::array<std::size_t, 6> expendable = {9, 8, 6, 5, 4, 2};
     constexpr std::array<std::size_t, 2> names = {0, 3};
     table.add_row({"asset", "size", "", "file", "", "light", "colours", "texels", "certificate",
                    "write", "sky error median / max", "colour error median / max", "cover",
@@ -134,11 +125,7 @@ std::string assets_text(const BakedFolder& baked, int columns) {
         }
     }
     // Cover, errors of colours and of the sky, and the time of a certificate, of colours and of light.
-    for (const std::size_t column : {12U, 11U, 10U, 8U, 6U, 5U}) {
-        if (!table.drop_if_empty(column)) continue;
-        std::erase(expendable, column);
-        for (std::size_t& other : expendable) other -= other > column ? 1 : 0;
-    }
+    for (const std::size_t column : {12U, 11U, 10U, 8U, 6U, 5U}) table.drop_if_empty(column);
     return made ? table.text_within(columns, expendable, names) : "";
 }
 
@@ -174,13 +161,9 @@ std::string retired_text(const BakedFolder& baked, bool prune) {
         text += fmt::format("  {} is no longer in the recipe; removed\n", file.path);
     }
     for (const RetiredFile& file : baked.retired) {
-        text +=
-            prune
-                ? fmt::format(
-                      "  {} is no longer in the recipe, but was changed since it was baked; kept\n",
-                      file.path)
-                : fmt::format("  {} is no longer in the recipe; kept (--prune removes it)\n",
-                              file.path);
+        text += fmt::format(
+            "  {} is no longer in the recipe{}\n", file.path,
+            prune ? ", but was changed since it was baked; kept" : "; kept (--prune removes it)");
     }
     return text;
 }
@@ -189,12 +172,10 @@ std::string retired_text(const BakedFolder& baked, bool prune) {
 std::string planned_retired_text(const FolderPlan& plan) {
     std::string text;
     for (const RetiredFile& file : plan.retired) {
-        const bool pruned = std::ranges::any_of(
-            plan.pruned, [&file](const RetiredFile& other) { return other.path == file.path; });
-        text +=
-            pruned
-                ? fmt::format("  {} is no longer in the recipe and would be removed\n", file.path)
-                : fmt::format("  {} is no longer in the recipe and would be kept\n", file.path);
+        const bool pruned =
+            std::ranges::find(plan.pruned, file.path, &RetiredFile::path) != plan.pruned.end();
+        text += fmt::format("  {} is no longer in the recipe and would be {}\n", file.path,
+                            pruned ? "removed" : "kept");
     }
     return text;
 }
@@ -202,14 +183,12 @@ std::string planned_retired_text(const FolderPlan& plan) {
 // Returns "2 assets (1 up to date) (1 from the cache)".
 std::string count_text(const BakedFolder& baked) {
     const auto count_of = [&baked](AssetState state) {
-        return std::ranges::count_if(
-            baked.assets, [state](const FinishedAsset& asset) { return asset.state == state; });
+        return std::ranges::count(baked.assets, state, &FinishedAsset::state);
     };
-    const auto count = static_cast<std::ptrdiff_t>(baked.assets.size());
-    const std::ptrdiff_t unchanged = count_of(AssetState::up_to_date);
-    const std::ptrdiff_t copied = count_of(AssetState::copied);
-    std::string text = fmt::format("{} asset{}", count, count == 1 ? "" : "s");
-    if (unchanged == count) return text + " up to date";
+    const auto unchanged = count_of(AssetState::up_to_date);
+    const auto copied = count_of(AssetState::copied);
+    std::string text = counted(baked.assets.size(), "asset");
+    if (std::cmp_equal(unchanged, baked.assets.size())) return text + " up to date";
     if (unchanged > 0) text += fmt::format(" ({} up to date)", unchanged);
     if (copied > 0) text += fmt::format(" ({} from the cache)", copied);
     return text;
@@ -326,15 +305,15 @@ std::string reasons_text(const FolderPlan& plan) {
     return text;
 }
 
-std::string summary_text(const BakedFolder& baked, const SummaryOptions& options) {
+std::string summary_text(const BakedFolder& baked, double seconds, int columns, bool prune) {
     std::string advice;
     std::uint64_t bytes = 0;
     for (const FinishedAsset& finished : baked.assets) {
         for (const ManifestFile& file : finished.entry.files) bytes += file.bytes;
         if (finished.state != AssetState::up_to_date) advice += advice_text(finished.entry);
     }
-    return assets_text(baked, options.columns) + advice + retired_text(baked, options.prune) +
-           fmt::format("{}, {}, {}, {}\n", count_text(baked), time_text(options.seconds),
+    return assets_text(baked, columns) + advice + retired_text(baked, prune) +
+           fmt::format("{}, {}, {}, {}\n", count_text(baked), time_text(seconds),
                        byte_size_text(static_cast<double>(bytes)), manifest_name);
 }
 
@@ -363,7 +342,7 @@ std::vector<Diagnostic> long_bake(const FolderPlan& plan) {
 
 void BakeReporter::planned(const FolderPlan& plan) {
     console_.report(long_bake(plan));
-    if (json_) console_.result(plan_event(plan));
+    if (console_.json()) console_.result(plan_event(plan));
     if (console_.display().verbose) {
         console_.detail(plan_text(plan));
     } else {

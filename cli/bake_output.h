@@ -19,7 +19,7 @@ class Console;
 // Tells people, or programs with --json, how a bake of a folder goes.
 class BakeReporter : public BakeObserver {
   public:
-    BakeReporter(Console& console, bool json) : console_(console), json_(json) {}
+    explicit BakeReporter(Console& console) : console_(console) {}
 
     bool cancelled() const override;
     void waits() override;
@@ -28,7 +28,6 @@ class BakeReporter : public BakeObserver {
 
   private:
     Console& console_;
-    bool json_;
     std::vector<std::string> stale_;  // the assets that are to be made, in order
 };
 
@@ -39,16 +38,10 @@ std::string plan_text(const FolderPlan& plan);
 // Says why assets that were baked before are baked again, one line each. New assets are left out.
 std::string reasons_text(const FolderPlan& plan);
 
-struct SummaryOptions {
-    double seconds = 0;  // of the whole command
-    int columns = 0;     // of the terminal; 0: no limit
-    bool prune = false;  // --prune asked to remove files of earlier recipes
-};
-
-// Returns a table with one row per file that was made. The first row of an asset has its size,
-// times and errors. After the table it says what became of files of earlier recipes, and gives
-// totals.
-std::string summary_text(const BakedFolder& baked, const SummaryOptions& options);
+// Returns a table with one row per file that was made, within so many columns (0: no limit). The
+// first row of an asset has its size, times and errors. After the table it says what became of files
+// of earlier recipes, which --prune asked to remove, and gives totals, with the time of the command.
+std::string summary_text(const BakedFolder& baked, double seconds, int columns, bool prune);
 
 // Spells an extent: "256x64", "128x128x128".
 std::string extent_text(std::span<const int> size);

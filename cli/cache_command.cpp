@@ -34,10 +34,6 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-std::string counted(std::size_t count, std::string_view what, std::string_view plural) {
-    return fmt::format("{} {}", count, count == 1 ? what : plural);
-}
-
 std::uint64_t bytes_of(const std::vector<CacheEntry>& entries) {
     return std::accumulate(
         entries.begin(), entries.end(), std::uint64_t{0},
@@ -49,7 +45,7 @@ struct KindTotals {
     std::uint64_t bytes = 0;
 };
 
-ExitCode stats(const fs::path& folder, bool json, Console& console) {
+ExitCode stats(const fs::path& folder, Console& console) {
     const auto entries = cache_entries(folder);
     if (const ExitCode code = console.report(entries.diagnostics); !entries.value) return code;
     std::map<std::string, KindTotals> kinds;
@@ -58,7 +54,7 @@ ExitCode stats(const fs::path& folder, bool json, Console& console) {
         ++totals.assets;
         totals.bytes += entry.bytes;
     }
-    if (json) {
+    if (console.json()) {
         Json by_kind = Json::object();
         for (const auto& [kind, totals] : kinds) {
             by_kind[kind] = {{"assets", totals.assets}, {"bytes", totals.bytes}};
@@ -76,33 +72,32 @@ ExitCode stats(const fs::path& folder, bool json, Console& console) {
                        byte_size_text(static_cast<double>(totals.bytes))});
     }
     const double bytes = static_cast<double>(bytes_of(*entries.value));
-    console.result((kinds.empty() ? "" : table.text()) +
-                   fmt::format("{}, {}\n", counted(entries.value->size(), "asset", "assets"),
-                               byte_size_text(bytes)));
+    console.result(
+        (kinds.empty() ? "" : table.text()) +
+        fmt::format("{}, {}\n", counted(entries.value->size(), "asset"), byte_size_text(bytes)));
     return ExitCode::done;
 }
 
-ExitCode gc(const fs::path& folder, std::uint64_t largest, bool json, Console& console) {
+ExitCode gc(const fs::path& folder, std::uint64_t largest, Console& console) {
     const auto removed = collect_garbage(folder, largest);
     if (const ExitCode code = console.report(removed.diagnostics); !removed.value) return code;
     const std::uint64_t bytes = bytes_of(*removed.value);
-    if (json) {
+    if (console.json()) {
         console.result(event_line(
             {{"event", "cache_trimmed"}, {"removed", removed.value->size()}, {"bytes", bytes}}));
     } else {
-        console.result(fmt::format("{} removed, {}\n",
-                                   counted(removed.value->size(), "asset", "assets"),
+        console.result(fmt::format("{} removed, {}\n", counted(removed.value->size(), "asset"),
                                    byte_size_text(static_cast<double>(bytes))));
     }
     return ExitCode::done;
 }
 
-ExitCode verify(const fs::path& folder, bool json, Console& console) {
+ExitCode verify(const fs::path& folder, Console& console) {
     const auto verified = verify_cache(folder);
     if (const ExitCode code = console.report(verified.diagnostics); !verified.value) return code;
     std::vector<std::string> damaged;
     for (const auto& file : verified.value->damaged) damaged.push_back(file.string());
-    if (json) {
+    if (console.json()) {
         console.result(event_line({{"event", "cache_verified"},
                                    {"assets", verified.value->entries},
                                    {"damaged", damaged}}));
@@ -110,11 +105,9 @@ ExitCode verify(const fs::path& folder, bool json, Console& console) {
         std::string text;
         for (const std::string& file : damaged)
             text += file + " is damaged; its asset was removed\n";
-        text += counted(verified.value->entries, "asset", "assets");
-        text +=
-            damaged.empty()
-                ? ", none is damaged\n"
-                : fmt::format(", {}\n", counted(damaged.size(), "damaged file", "damaged files"));
+        text += counted(verified.value->entries, "asset");
+        text += damaged.empty() ? ", none is damaged\n"
+                                : fmt::format(", {}\n", counted(damaged.size(), "damaged file"));
         console.result(text);
     }
     return damaged.empty() ? ExitCode::done : ExitCode::differs;
@@ -129,9 +122,8 @@ ExitCode run_cache(const Invocation& invocation, Console& console) {
         return console.report(std::array{usage_error(
             "no cache folder is given", "name one with --cache-dir or $SKYBAKE_CACHE_DIR")});
     }
-    const bool json = console.display().json;
-    if (what == "stats") return stats(folder, json, console);
-    if (what == "verify") return verify(folder, json, console);
+    if (what == "stats") return stats(folder, console);
+    if (what == "verify") return verify(folder, console);
     if (what != "gc") {
         return console.report(
             std::array{usage_error(fmt::format("`skybake cache` has no action `{}`", what),
@@ -141,7 +133,7 @@ ExitCode run_cache(const Invocation& invocation, Console& console) {
         return console.report(std::array{
             usage_error("`skybake cache gc` needs --max-size", "for example --max-size 10GiB")});
     }
-    return gc(folder, invocation[options::max_size], json, console);
+    return gc(folder, invocation[options::max_size], console);
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "cli/console.h"
 #include "cli/events.h"
 #include "cli/options.h"
+#include "cli/table_printer.h"
 #include "config/recipe/recipe.h"
 #include "config/sections/cloud.h"
 #include "config/sections/layer.h"
@@ -22,22 +23,18 @@
 namespace skybake::cli {
 namespace {
 
-std::string count(std::size_t number, std::string_view what) {
-    return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
-}
-
 // Returns "3 layers, 1 noise, 1 cloud, 2 assets to bake". Layers, noises and clouds are named only
 // if the recipe is about them.
 std::string contents(const Parameters& parameters) {
     std::string text;
     const bool has_atmosphere = parameters.atmosphere.ground_radius.meters > 0;
-    if (has_atmosphere) text += count(parameters.atmosphere.layers.size(), "layer") + ", ";
+    if (has_atmosphere) text += counted(parameters.atmosphere.layers.size(), "layer") + ", ";
     if (!parameters.particles.empty())
-        text += fmt::format("{} of particles, ", count(parameters.particles.size(), "kind"));
-    if (!parameters.noises.empty()) text += count(parameters.noises.size(), "noise") + ", ";
-    if (!parameters.volumes.empty()) text += count(parameters.volumes.size(), "volume") + ", ";
-    if (!parameters.clouds.empty()) text += count(parameters.clouds.size(), "cloud") + ", ";
-    return text + count(parameters.bakes.size(), "asset") + " to bake";
+        text += fmt::format("{} of particles, ", counted(parameters.particles.size(), "kind"));
+    if (!parameters.noises.empty()) text += counted(parameters.noises.size(), "noise") + ", ";
+    if (!parameters.volumes.empty()) text += counted(parameters.volumes.size(), "volume") + ", ";
+    if (!parameters.clouds.empty()) text += counted(parameters.clouds.size(), "cloud") + ", ";
+    return text + counted(parameters.bakes.size(), "asset") + " to bake";
 }
 
 std::string checked_event(const std::string& name, const Parameters& parameters,
@@ -65,7 +62,7 @@ ExitCode run_check(const Invocation& invocation, Console& console) {
     if (problems.empty()) problems = check_air(*outcome.value);
     if (!problems.empty()) return console.report_results(problems);
     const Parameters& parameters = outcome.value->parameters;
-    if (console.display().json) {
+    if (console.json()) {
         console.result(checked_event(name, parameters, outcome.diagnostics));
     }
     console.note(fmt::format("{}: no errors; {}\n", name, contents(parameters)));

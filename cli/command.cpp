@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <exception>
 #include <new>
 #include <nlohmann/json.hpp>
@@ -97,11 +98,12 @@ Display display_of(const CommandLine& line, std::span<const std::string> words, 
     return display;
 }
 
-void show_version(bool json, Console& console) {
+void show_version(Console& console) {
     const std::string text = fmt::format("{} {}\n", tool_name(), release());
     console.result(
-        json ? event_line({{"event", "version"}, {"name", tool_name()}, {"release", release()}})
-             : text);
+        console.json()
+            ? event_line({{"event", "version"}, {"name", tool_name()}, {"release", release()}})
+            : text);
 }
 
 ExitCode answer(const CommandLine& line, bool wordless, Console& console) {
@@ -111,12 +113,12 @@ ExitCode answer(const CommandLine& line, bool wordless, Console& console) {
         return ExitCode::done;
     }
     if (line.invocation[options::version]) {
-        show_version(console.display().json, console);
+        show_version(console);
         return ExitCode::done;
     }
     if (line.command != nullptr) return line.command->run(line.invocation, console);
     if (wordless) {
-        console.note(short_help(commands()));
+        console.note(short_help());
         return ExitCode::usage;
     }
     return console.report(
@@ -124,18 +126,11 @@ ExitCode answer(const CommandLine& line, bool wordless, Console& console) {
 }
 
 ExitCode report_exception(Console& console, const std::exception& exception) {
-    Diagnostic diagnostic;
-    if (is_want_of_threads(exception)) {
-        diagnostic.code = "E0306";
-        diagnostic.message = want_of_threads;
-    } else if (dynamic_cast<const std::bad_alloc*>(&exception) != nullptr) {
-        diagnostic.code = "E0307";
-        diagnostic.message = kWantOfMemory;
-    } else {
-        diagnostic.code = "E0500";
-        diagnostic.message = fmt::format("internal error: {}", exception.what());
-    }
-    return console.report({&diagnostic, 1});
+    const bool wants_memory = dynamic_cast<const std::bad_alloc*>(&exception) != nullptr;
+    return console.report(std::array{
+        is_want_of_threads(exception) ? diagnosis("E0306", std::string(want_of_threads))
+        : wants_memory                ? diagnosis("E0307", kWantOfMemory)
+                       : diagnosis("E0500", fmt::format("internal error: {}", exception.what()))});
 }
 
 }  // namespace

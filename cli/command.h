@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -81,6 +82,11 @@ class Invocation {
     template <class T>
     bool has(const Option<T>& option) const {
         return entry(option.name).given;
+    }
+    // Returns the value, or nothing if the option was not given.
+    template <class T>
+    std::optional<T> given(const Option<T>& option) const {
+        return has(option) ? std::optional<T>((*this)[option]) : std::nullopt;
     }
     // Returns the values as they were typed.
     template <class T>
@@ -205,8 +211,6 @@ T Invocation::operator[](const Option<T>& option) const {
 
 // The rest of this header is about what the program says of itself: help, man pages and shell
 // completions. They are made from the tables of commands and options.
-class Console;
-
 inline constexpr std::string_view program_summary =
     "bakes sky tables, cloud noise and cloud volumes, and measures their errors";
 
@@ -223,20 +227,18 @@ std::vector<ExitCodeWords> exit_codes(std::span<const ExitCode> codes);
 std::string option_help(const OptionRow& option);
 
 // Returns the twelve lines that `skybake` prints without a command.
-std::string short_help(std::span<const Command> commands);
+std::string short_help();
 
 // Prints the help of a command, or of the program if `command` is null, in at most 40 lines.
 void show_help(const Command* command, Console& console);
 
 // These return the sources of the man pages skybake(1) and skybake-COMMAND(1).
-std::string man_page(std::span<const Command> commands, std::span<const OptionRow> globals,
-                     std::span<const Example> examples);
+std::string man_page(std::span<const Example> examples);
 std::string man_page(const Command& command);
 
 enum class Shell { bash, zsh, fish };
 
 // Returns a shell script that completes commands, options, choices and file names.
-std::string completion(Shell shell, std::span<const Command> commands,
-                       std::span<const OptionRow> globals);
+std::string completion(Shell shell);
 
 }  // namespace skybake::cli

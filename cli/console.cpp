@@ -160,6 +160,10 @@ bool Console::shows_notes() const {
     return !display_.quiet && !is_machine_format(display_.diagnostics);
 }
 
+void Console::write(bool results, std::string_view text) {
+    results ? result(text) : write_error(text);
+}
+
 void Console::write_error(std::string_view text) {
     const std::lock_guard lock(error_mutex_);
     error_.write(text);
@@ -197,23 +201,14 @@ ExitCode Console::report_to(bool results, std::span<const Diagnostic> diagnostic
         const std::string text =
             print_diagnostics(is_machine_format(display_.diagnostics) ? all : printable(all),
                               display_.diagnostics, display_.color);
-        if (results) {
-            result(text);
-        } else {
-            write_error(text);
-        }
+        write(results, text);
     }
     return static_cast<ExitCode>(config::exit_code(diagnostics));
 }
 
 ExitCode Console::finish(ExitCode code) {
     if (display_.diagnostics == DiagnosticFormat::sarif) {
-        const std::string text = print_diagnostics(sarif_, DiagnosticFormat::sarif);
-        if (sarif_is_result_) {
-            result(text);
-        } else {
-            write_error(text);
-        }
+        write(sarif_is_result_, print_diagnostics(sarif_, DiagnosticFormat::sarif));
         sarif_.clear();
     }
     const ExitCode last = exit_code(code);

@@ -93,6 +93,7 @@ class Console {
     ExitCode finish(ExitCode code);
 
     const Display& display() const { return display_; }
+    bool json() const { return display_.json; }
     bool error_is_terminal() const { return error_.terminal; }
     bool shows_notes() const;
     // Returns the columns of the terminal that notes go to, or 0 if there is no terminal or it does
@@ -101,6 +102,7 @@ class Console {
 
   private:
     ExitCode report_to(bool results, std::span<const Diagnostic> diagnostics);
+    void write(bool results, std::string_view text);
     void write_error(std::string_view text);
     ExitCode exit_code(ExitCode code) const;
 

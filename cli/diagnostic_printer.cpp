@@ -21,10 +21,6 @@ std::string place(const config::SourceRange& where) {
     return fmt::format("{}:{}:{}", where.source, where.line, where.column);
 }
 
-std::string counted(std::size_t count, std::string_view noun) {
-    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
-}
-
 // --- For people ---------------------------------------------------------------------------------
 
 // These are ANSI colours, or empty texts.

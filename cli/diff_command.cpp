@@ -4,18 +4,10 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cstdint>
-#include <filesystem>
 #include <nlohmann/json.hpp>
-#include <set>
 
-#include "bakers/io/files/file_io.h"
-#include "bakers/io/formats/exr/exr_file.h"
-#include "bakers/io/formats/exr/exr_heads.h"
-#include "bakers/io/formats/format.h"
-#include "bakers/io/manifest/compare.h"
-#include "bakers/io/volumes/grid_files.h"
 #include "cli/console.h"
+#include "cli/diff_files.h"
 #include "cli/events.h"
 #include "cli/options.h"
 #include "cli/progress.h"
@@ -40,19 +32,7 @@ inline const Option<bool> metadata{"metadata"};
 
 namespace {
 
-namespace fs = std::filesystem;
-
-// These are two files with the same name, or one file without a counterpart.
-struct FileDifference {
-    std::string name;
-    std::string only_in;  // the only folder that has it; empty if both have it
-    ImageDifference image;
-};
-
-struct Comparison {
-    std::vector<FileDifference> files;
-    std::vector<Diagnostic> diagnostics;
-};
+using Json = nlohmann::ordered_json;
 
 struct Judgement {
     double tolerance = 0;
@@ -63,198 +43,10 @@ struct Judgement {
                (!metadata || file.image.attributes.empty());
     }
     bool equal(const Comparison& comparison) const {
-        for (const FileDifference& file : comparison.files) {
-            if (!equal(file)) return false;
-        }
-        return true;
+        return std::ranges::all_of(comparison.files,
+                                   [this](const FileDifference& file) { return equal(file); });
     }
 };
-
-// --- Comparing ----------------------------------------------------------------------------------
-
-void append(const std::vector<Diagnostic>& from, std::vector<Diagnostic>& to) {
-    to.insert(to.end(), from.begin(), from.end());
-}
-
-// Compares two images, which have been opened. A name tells them apart from others.
-template <class Image, class Compared>
-void compare_opened(config::Outcome<Image> first, config::Outcome<Image> second,
-                    const Compared& compared, const std::string& name, Comparison& comparison) {
-    append(first.diagnostics, comparison.diagnostics);
-    append(second.diagnostics, comparison.diagnostics);
-    if (!first.value || !second.value) return;
-    auto difference = skybake::compare_images(compared(*first.value), compared(*second.value));
-    append(difference.diagnostics, comparison.diagnostics);
-    if (!difference.value) return;
-    comparison.files.push_back({name, "", std::move(*difference.value)});
-}
-
-void compare_images(const fs::path& first, const fs::path& second, Comparison& comparison) {
-    const auto parts = read_exr_heads(first);
-    const auto others = read_exr_heads(second);
-    const std::string name = second.filename().string();
-    const std::size_t count = parts.value ? parts.value->size() : 1;
-    if (others.value && parts.value && others.value->size() != count) {
-        ImageDifference difference;
-        difference.layout = fmt::format("{} parts against {}", count, others.value->size());
-        comparison.files.push_back({name, "", std::move(difference)});
-        return;
-    }
-    for (std::size_t i = 0; i < count; ++i) {
-        const bool is_one = count == 1;
-        const auto part = static_cast<int>(i);
-        compare_opened(
-            ExrRows::open(first, part), ExrRows::open(second, part),
-            [](ExrRows& file) { return compared(file); },
-            is_one ? name : fmt::format("{}, part {}", name, (*parts.value)[i].name), comparison);
-    }
-}
-
-bool is_radiance(const fs::path& path) { return path.extension() == ".hdr"; }
-
-// Compares the levels that both files have.
-void compare_levels(const ListedFile& first, const ListedFile& second, Comparison& comparison) {
-    const std::string name = second.path.filename().string();
-    if (first.file.levels != second.file.levels) {
-        FileDifference& file = comparison.files.emplace_back();
-        file.name = name;
-        file.image.layout =
-            fmt::format("{} levels against {}", first.file.levels, second.file.levels);
-        return;
-    }
-    for (int level = 0; level < first.file.levels; ++level) {
-        auto difference = compare_listed(first, second, level);
-        append(difference.diagnostics, comparison.diagnostics);
-        if (!difference.value) return;
-        comparison.files.push_back(
-            {first.file.levels == 1 ? name : fmt::format("{}, level {}", name, level), "",
-             std::move(*difference.value)});
-    }
-}
-
-// Compares files by their bytes. If these differ, those with grids, Radiance pictures and files that their
-// manifests list are compared by their values.
-void compare_bytes(const fs::path& first, const fs::path& second, Comparison& comparison) {
-    const auto a = fingerprint(first);
-    const auto b = fingerprint(second);
-    append(a.diagnostics, comparison.diagnostics);
-    append(b.diagnostics, comparison.diagnostics);
-    if (!a.value || !b.value) return;
-    FileDifference file{second.filename().string(), "", {}};
-    if (a.value->bytes == b.value->bytes && a.value->xxh3 == b.value->xxh3) {
-        comparison.files.push_back(std::move(file));
-        return;
-    }
-    if (is_radiance(first) && is_radiance(second)) {
-        return compare_opened(
-            compared_radiance(first), compared_radiance(second),
-            [](const ComparedImage& image) { return image; }, file.name, comparison);
-    }
-    const bool have_grids = has_grids(first) && has_grids(second);
-    const auto one = have_grids ? std::nullopt : listed_file(first);
-    const auto other = one ? listed_file(second) : std::nullopt;
-    if (other) return compare_levels(*one, *other, comparison);
-    if (have_grids) {
-        auto difference = compare_volumes(first, second);
-        append(difference.diagnostics, comparison.diagnostics);
-        if (!difference.value) return;
-        file.image = std::move(*difference.value);
-    } else if (a.value->bytes != b.value->bytes) {
-        file.image.layout = fmt::format("{} bytes against {}", a.value->bytes, b.value->bytes);
-    } else {
-        file.image.layout =
-            "the bytes differ; only values of EXR, VDB, NanoVDB and HDR files are compared "
-            "without a manifest that lists them";
-    }
-    comparison.files.push_back(std::move(file));
-}
-
-bool is_image(const fs::path& path) { return path.extension() == ".exr"; }
-
-// Whether the file is a volume in a format other than EXR, or a file that stands beside a volume.
-// The manifest does not count: it says how each file was made and how long that took.
-bool is_other_volume(const fs::path& path) {
-    if (path.extension() == ".json") return path.filename() != "manifest.json";
-    return !is_image(path) && path.has_extension() &&
-           find_format(path.extension().string().substr(1)) != nullptr;
-}
-
-void compare_files(const fs::path& first, const fs::path& second, Comparison& comparison) {
-    if (is_other_volume(first) && is_other_volume(second)) {
-        compare_bytes(first, second, comparison);
-    } else {
-        compare_images(first, second, comparison);
-    }
-}
-
-std::set<std::string> files_in(const fs::path& folder, std::vector<Diagnostic>& diagnostics) {
-    std::set<std::string> names;
-    std::error_code error;
-    for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
-         entry.increment(error)) {
-        if (is_image(entry->path()) || is_other_volume(entry->path())) {
-            names.insert(entry->path().filename().string());
-        }
-    }
-    if (error || names.empty()) {
-        diagnostics.push_back(file_error(
-            "E0300", folder.string(),
-            fmt::format("cannot compare `{}`: {}", folder.string(),
-                        error ? error.message() : "it holds no .exr, .vdb or .bin file")));
-    }
-    return names;
-}
-
-// Returns the bytes of those files of a folder that are there.
-double bytes_of(const fs::path& folder, const std::set<std::string>& names) {
-    double bytes = 0;
-    for (const std::string& name : names) {
-        std::error_code error;
-        const std::uintmax_t size = fs::file_size(folder / name, error);
-        if (!error) bytes += static_cast<double>(size);
-    }
-    return bytes;
-}
-
-void compare_folders(const fs::path& first, const fs::path& second, Progress& progress,
-                     Comparison& comparison) {
-    const auto in_first = files_in(first, comparison.diagnostics);
-    const auto in_second = files_in(second, comparison.diagnostics);
-    if (!comparison.diagnostics.empty()) return;
-    std::set<std::string> names = in_first;
-    names.insert(in_second.begin(), in_second.end());
-    double bytes_left = bytes_of(second, in_second);
-    const double bytes = std::max(bytes_left, 1.0);
-    for (const std::string& name : names) {
-        if (progress.cancelled()) return;
-        progress.advance("files", 1 - bytes_left / bytes);
-        bytes_left -= bytes_of(second, {name});
-        if (in_first.count(name) == 0) {
-            comparison.files.push_back({name, second.string(), {}});
-        } else if (in_second.count(name) == 0) {
-            comparison.files.push_back({name, first.string(), {}});
-        } else {
-            compare_files(first / name, second / name, comparison);
-        }
-    }
-}
-
-Comparison compare(const fs::path& first, const fs::path& second, Progress& progress) {
-    Comparison comparison;
-    std::error_code error;
-    const bool folders = fs::is_directory(first, error);
-    if (folders != fs::is_directory(second, error) && fs::exists(first, error) &&
-        fs::exists(second, error)) {
-        comparison.diagnostics.push_back(usage_error("a file cannot be compared with a folder"));
-    } else if (folders) {
-        compare_folders(first, second, progress, comparison);
-    } else {
-        compare_files(first, second, comparison);
-    }
-    return comparison;
-}
-
-// --- Showing ------------------------------------------------------------------------------------
 
 // Returns the nearest position at or before this one that does not cut a UTF-8 character.
 std::size_t sign_begin(const std::string& text, std::size_t position) {
@@ -281,11 +73,8 @@ std::string line_around(const std::string& text, std::size_t position) {
 std::string difference_text(const AttributeDifference& entry) {
     if (!entry.first) return "only in the second";
     if (!entry.second) return "only in the first";
-    std::size_t same = 0;
-    while (same < entry.first->size() && same < entry.second->size() &&
-           (*entry.first)[same] == (*entry.second)[same]) {
-        ++same;
-    }
+    const auto same = static_cast<std::size_t>(
+        std::ranges::mismatch(*entry.first, *entry.second).in1 - entry.first->begin());
     return fmt::format("{} | {}", line_around(*entry.first, same),
                        line_around(*entry.second, same));
 }
@@ -318,8 +107,6 @@ std::string as_text(const FileDifference& file, const Judgement& judgement) {
     }
     return text;
 }
-
-using Json = nlohmann::ordered_json;
 
 Json as_json(const FileDifference& file, const Judgement& judgement) {
     Json channels = Json::array();
@@ -369,8 +156,8 @@ ExitCode run_diff(const Invocation& invocation, Console& console) {
     const Judgement judgement{invocation[options::tolerance], invocation[options::metadata]};
     const ExitCode code = console.report(comparison.diagnostics);
     if (comparison.files.empty() && code != ExitCode::done) return code;
-    console.result(console.display().json ? as_json(comparison, judgement)
-                                          : as_text(comparison, judgement));
+    console.result(console.json() ? as_json(comparison, judgement)
+                                  : as_text(comparison, judgement));
     if (code != ExitCode::done) return code;
     return judgement.equal(comparison) ? ExitCode::done : ExitCode::differs;
 }

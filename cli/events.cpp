@@ -5,20 +5,18 @@
 #include <algorithm>
 #include <cstdint>
 #include <nlohmann/json.hpp>
-#include <vector>
+#include <set>
 
 #include "bakers/io/manifest/release.h"
+#include "cli/diagnostic_printer.h"
 #include "cli/options.h"
 #include "config/diagnostics/diagnostic_codes.h"
+#include "config/text/mapped.h"
 
 namespace skybake::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string_view severity_word(const Diagnostic& diagnostic) {
-    return diagnostic.severity == Severity::error ? "error" : "warning";
-}
 
 // Escapes everything except unreserved characters and the slashes between folders (RFC 3986).
 std::string file_uri(std::string_view path) {
@@ -65,10 +63,8 @@ Json sarif_result(const Diagnostic& diagnostic) {
 
 // Returns the codes that occur, each once, in order.
 Json sarif_rules(std::span<const Diagnostic> diagnostics) {
-    std::vector<std::string> codes;
-    for (const Diagnostic& diagnostic : diagnostics) codes.push_back(diagnostic.code);
-    std::ranges::sort(codes);
-    codes.erase(std::unique(codes.begin(), codes.end()), codes.end());
+    std::set<std::string> codes;
+    for (const Diagnostic& diagnostic : diagnostics) codes.insert(diagnostic.code);
     Json rules = Json::array();
     for (const std::string& code : codes) {
         Json rule = {{"id", code}};
@@ -118,11 +114,7 @@ bool is_file(const std::string& source) {
 }
 
 Json diagnostics_json(std::span<const Diagnostic> diagnostics) {
-    Json array = Json::array();
-    for (const Diagnostic& diagnostic : diagnostics) {
-        array.push_back(diagnostic_json(diagnostic));
-    }
-    return array;
+    return mapped<Json>(diagnostics, diagnostic_json);
 }
 
 std::string print_json_lines(std::span<const Diagnostic> diagnostics) {
@@ -132,21 +124,15 @@ std::string print_json_lines(std::span<const Diagnostic> diagnostics) {
 }
 
 std::string print_sarif(std::span<const Diagnostic> diagnostics) {
-    Json results = Json::array();
-    for (const Diagnostic& diagnostic : diagnostics) {
-        results.push_back(sarif_result(diagnostic));
-    }
-    Json run = {
+    const Json run = {
         {"tool",
          {{"driver",
            {{"name", tool_name()}, {"version", release()}, {"rules", sarif_rules(diagnostics)}}}}},
         {"columnKind", "unicodeCodePoints"},
-        {"results", std::move(results)}};
-    Json runs = Json::array();
-    runs.push_back(std::move(run));
+        {"results", mapped<Json>(diagnostics, sarif_result)}};
     const Json document = {{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
                            {"version", "2.1.0"},
-                           {"runs", std::move(runs)}};
+                           {"runs", Json::array({run})}};
     // Sources may hold any bytes. Those that are not UTF-8 become U+FFFD.
     return document.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -35,7 +35,7 @@ ExitCode run_explain(const Invocation& invocation, Console& console) {
     const std::string name = invocation.arguments().empty() ? "" : invocation.arguments()[0];
     const std::optional<std::string> text = explanation_of(name);
     if (!text) return console.report(std::array{unknown_name(name)});
-    console.result(console.display().json
+    console.result(console.json()
                        ? event_line({{"event", "explanation"}, {"name", name}, {"text", *text}})
                        : *text);
     return ExitCode::done;

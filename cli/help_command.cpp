@@ -50,19 +50,12 @@ std::string option_table(std::span<const OptionRow> options) {
     return table.text();
 }
 
-std::string example_table(std::span<const Example> examples) {
+// Returns a table of two members of each row.
+template <class Rows, class Row>
+std::string table_of(const Rows& rows, std::string_view Row::*first,
+                     std::string_view Row::*second) {
     TextTable table;
-    for (const Example& example : examples) {
-        table.add_row({std::string(example.command), std::string(example.what)});
-    }
-    return table.text();
-}
-
-std::string command_table(std::span<const Command> commands) {
-    TextTable table;
-    for (const Command& command : commands) {
-        table.add_row({std::string(command.name), std::string(command.summary)});
-    }
+    for (const Row& row : rows) table.add_row({std::string(row.*first), std::string(row.*second)});
     return table.text();
 }
 
@@ -88,13 +81,12 @@ constexpr std::array<Example, 1> first_steps = {{
     {"skybake bake earth.toml -o out", "bakes its tables and measures their errors"},
 }};
 
-std::string global_help(std::span<const Command> commands,
-                        std::span<const OptionRow> global_options) {
+std::string global_help() {
     std::string text = fmt::format("skybake {}\n", program_summary) +
                        "usage: skybake <command> [recipe.toml] [options]\n\ncommands:\n";
-    text += command_table(commands);
-    text += "\noptions (after the command):\n" + option_table(global_options);
-    text += "\nexamples:\n" + example_table(first_steps);
+    text += table_of(commands(), &Command::name, &Command::summary);
+    text += "\noptions (after the command):\n" + option_table(global_options());
+    text += "\nexamples:\n" + table_of(first_steps, &Example::command, &Example::what);
     return text + "\nexit codes:\n" + exit_code_table({});
 }
 
@@ -102,29 +94,24 @@ std::string command_help(const Command& command) {
     std::string text = fmt::format("skybake {}: {}\n\n", command.name, command.summary);
     text += usage_line(command);
     if (!command.arguments.empty()) {
-        TextTable table;
-        for (const Argument& argument : command.arguments) {
-            table.add_row({std::string(argument.name), std::string(argument.help)});
-        }
-        text += "\narguments:\n" + table.text();
+        text += "\narguments:\n" + table_of(command.arguments, &Argument::name, &Argument::help);
     }
     text += "\noptions (`skybake help` shows those that every command has):\n" +
             option_table(command.options);
-    text += "\nexamples:\n" + example_table(command.examples);
+    text += "\nexamples:\n" + table_of(command.examples, &Example::command, &Example::what);
     std::vector<ExitCode> codes = command.exit_codes;
     codes.insert(codes.end(), {ExitCode::done, ExitCode::usage});
     return text + "\nexit codes:\n" + exit_code_table(codes);
 }
 
 ExitCode print(const std::string& text, Console& console) {
-    console.result(console.display().json ? event_line({{"event", "help"}, {"text", text}}) : text);
+    console.result(console.json() ? event_line({{"event", "help"}, {"text", text}}) : text);
     return ExitCode::done;
 }
 
 ExitCode run_help(const Invocation& invocation, Console& console) {
     if (invocation.has(options::completion)) {
-        return print(completion(invocation[options::completion], commands(), global_options()),
-                     console);
+        return print(completion(invocation[options::completion]), console);
     }
     const Command* command = nullptr;
     if (!invocation.arguments().empty()) {
@@ -136,9 +123,7 @@ ExitCode run_help(const Invocation& invocation, Console& console) {
         command = &*found;
     }
     if (invocation[options::man]) {
-        return print(command != nullptr ? man_page(*command)
-                                        : man_page(commands(), global_options(), first_steps),
-                     console);
+        return print(command != nullptr ? man_page(*command) : man_page(first_steps), console);
     }
     show_help(command, console);
     return ExitCode::done;
@@ -162,14 +147,15 @@ std::string option_help(const OptionRow& option) {
     return text;
 }
 
-std::string short_help(std::span<const Command> commands) {
+std::string short_help() {
     TextTable table;
-    const std::size_t rows = (commands.size() + 1) / 2;
+    const std::vector<Command>& all = commands();
+    const std::size_t rows = (all.size() + 1) / 2;
     for (std::size_t i = 0; i < rows; ++i) {
         std::vector<std::string> row;
-        for (std::size_t k = i; k < commands.size(); k += rows) {
-            row.emplace_back(commands[k].name);
-            row.emplace_back(commands[k].brief);
+        for (std::size_t k = i; k < all.size(); k += rows) {
+            row.emplace_back(all[k].name);
+            row.emplace_back(all[k].brief);
         }
         table.add_row(row);
     }
@@ -178,8 +164,7 @@ std::string short_help(std::span<const Command> commands) {
 }
 
 void show_help(const Command* command, Console& console) {
-    print(command != nullptr ? command_help(*command) : global_help(commands(), global_options()),
-          console);
+    print(command != nullptr ? command_help(*command) : global_help(), console);
 }
 
 Command help_command() {

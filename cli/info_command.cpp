@@ -115,19 +115,19 @@ std::string image_text(const std::string& name, const ExrRows& image,
     return fmt::format("{}\n", name) + facts.text() + attribute_text(image.facts().attributes);
 }
 
-ExitCode show_image(const fs::path& path, bool json, Console& console) {
+ExitCode show_image(const fs::path& path, Console& console) {
     const auto heads = read_exr_heads(path);
     if (!heads.value) return console.report(heads.diagnostics);
     std::string text;
     for (const ExrPartHead& head : *heads.value) {
         const auto part = static_cast<int>(&head - heads.value->data());
         auto image = ExrRows::open(path, part);
-        if (!image.value) return show_exr_heads(path, image.diagnostics.at(0), json, console);
+        if (!image.value) return show_exr_heads(path, image.diagnostics.at(0), console);
         const auto ranges = value_ranges(*image.value);
         if (!ranges.value) return console.report(ranges.diagnostics);
         const std::string title = path.string() + (head.name.empty() ? "" : ", part " + head.name);
-        text += json ? image_json(path.string(), head, *image.value, *ranges.value)
-                     : image_text(title, *image.value, *ranges.value);
+        text += console.json() ? image_json(path.string(), head, *image.value, *ranges.value)
+                               : image_text(title, *image.value, *ranges.value);
     }
     console.result(text);
     return ExitCode::done;
@@ -136,26 +136,26 @@ ExitCode show_image(const fs::path& path, bool json, Console& console) {
 // --- One file of another format ------------------------------------------------------------------
 
 void show_entry(const fs::path& path, const ManifestAsset& asset, const ManifestFile& file,
-                bool json, Console& console) {
-    console.result(json
+                Console& console) {
+    console.result(console.json()
                        ? event_line({{"event", "file"},
                                      {"path", path.string()},
                                      {"asset", Json::parse(file_entry_json(asset, file))}})
                        : fmt::format("{}\n", path.string()) + lines_text(entry_lines(asset, file)));
 }
 
-ExitCode show_file(const fs::path& path, bool json, Console& console) {
+ExitCode show_file(const fs::path& path, Console& console) {
     const auto entry = entry_of_file(path);
-    if (!entry.value && path.extension() == ".nvdb") return show_grids(path, json, console);
+    if (!entry.value && path.extension() == ".nvdb") return show_grids(path, console);
     if (!entry.value) return console.report(entry.diagnostics);
-    show_entry(path, *entry.value, entry.value->files[0], json, console);
+    show_entry(path, *entry.value, entry.value->files[0], console);
     return ExitCode::done;
 }
 
 // Shows what the manifest says of a file that says nothing of itself.
-ExitCode show_plain_file(const fs::path& path, const Format& format, bool json, Console& console) {
+ExitCode show_plain_file(const fs::path& path, const Format& format, Console& console) {
     if (const auto found = described_by_manifest(path)) {
-        show_entry(path, found->asset, found->file, json, console);
+        show_entry(path, found->asset, found->file, console);
         return ExitCode::done;
     }
     const char* content = format.read != nullptr ? "texels alone" : "references alone";
@@ -232,44 +232,43 @@ std::string folder_json(const fs::path& folder, const Manifest& manifest) {
                        {"manifest", Json::parse(manifest_json(manifest))}});
 }
 
-ExitCode show_manifest(const fs::path& folder, bool json, Console& console) {
+ExitCode show_manifest(const fs::path& folder, Console& console) {
     const auto manifest = read_manifest(folder);
     const ExitCode code = console.report(manifest.diagnostics);
     if (!manifest.value) return code;
-    console.result(json ? folder_json(folder, *manifest.value)
-                        : manifest_text(folder, *manifest.value));
+    console.result(console.json() ? folder_json(folder, *manifest.value)
+                                  : manifest_text(folder, *manifest.value));
     return ExitCode::done;
 }
 
 ExitCode run_info(const Invocation& invocation, Console& console) {
     const fs::path path = invocation.arguments()[0];
-    const bool json = console.display().json;
     if (invocation[options::lookup]) {
-        return show_lookup(path, invocation[options::language], json, console);
+        return show_lookup(path, invocation[options::language], console);
     }
     if (invocation.has(options::language)) {
         return console.report(
             std::array{usage_error("--language needs --lookup", "a lookup is written in it")});
     }
     std::error_code error;
-    if (fs::is_directory(path, error)) return show_manifest(path, json, console);
+    if (fs::is_directory(path, error)) return show_manifest(path, console);
     if (path.filename() == manifest_name) {
         const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-        return show_manifest(folder, json, console);
+        return show_manifest(folder, console);
     }
     if (path.extension() == ".toml") {
         return console.report(std::array{usage_error(
             fmt::format("`{}` is a recipe, and info describes baked files", path.string()),
             "`skybake show` shows its values")});
     }
-    if (path.extension() == ".vdb") return show_grids(path, json, console);
+    if (path.extension() == ".vdb") return show_grids(path, console);
     const Format* format = find_format(path.extension().string().substr(path.has_extension()));
     if (format && !format->has_metadata && fs::is_regular_file(path, error)) {
-        return show_plain_file(path, *format, json, console);
+        return show_plain_file(path, *format, console);
     }
     const bool is_other = format && format->format != config::FileFormat::exr;
-    if (is_other && format->has_metadata) return show_file(path, json, console);
-    return show_image(path, json, console);
+    if (is_other && format->has_metadata) return show_file(path, console);
+    return show_image(path, console);
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "cli/events.h"
 #include "cli/table_printer.h"
 #include "config/text/key_path.h"
+#include "config/text/mapped.h"
 
 namespace skybake::cli {
 
@@ -159,26 +160,23 @@ std::string reason_in(const std::string& message, const std::string& path) {
 
 }  // namespace
 
-ExitCode show_grids(const fs::path& path, bool json, Console& console) {
+ExitCode show_grids(const fs::path& path, Console& console) {
     const auto file = read_grids(path);
     if (!file.value) return console.report(file.diagnostics);
-    console.result(json ? grids_json(path.string(), *file.value)
-                        : grids_text(path.string(), *file.value));
+    console.result(console.json() ? grids_json(path.string(), *file.value)
+                                  : grids_text(path.string(), *file.value));
     return ExitCode::done;
 }
 
-ExitCode show_exr_heads(const fs::path& path, const Diagnostic& reason, bool json,
-                        Console& console) {
+ExitCode show_exr_heads(const fs::path& path, const Diagnostic& reason, Console& console) {
     const auto parts = read_exr_heads(path);
     if (!parts.value || reason.code != "E0304") return console.report({&reason, 1});
     const std::string unread = reason_in(reason.message, path.string());
-    if (json) {
-        Json list = Json::array();
-        for (const ExrPartHead& part : *parts.value) list.push_back(part_json(part));
+    if (console.json()) {
         console.result(event_line({{"event", "parts"},
                                    {"path", path.string()},
                                    {"unread", unread},
-                                   {"parts", std::move(list)}}));
+                                   {"parts", mapped<Json>(*parts.value, part_json)}}));
         return ExitCode::done;
     }
     std::string text = fmt::format("{}\n", path.string());

@@ -19,10 +19,10 @@ std::string attribute_text(const Attributes& attributes);
 nlohmann::ordered_json attributes_json(const Attributes& attributes);
 
 // The grids of an OpenVDB or NanoVDB file, which its name tells apart.
-ExitCode show_grids(const std::filesystem::path& path, bool json, Console& console);
+ExitCode show_grids(const std::filesystem::path& path, Console& console);
 
 // The header of an EXR file whose pixels are not read, for this reason.
-ExitCode show_exr_heads(const std::filesystem::path& path, const Diagnostic& reason, bool json,
+ExitCode show_exr_heads(const std::filesystem::path& path, const Diagnostic& reason,
                         Console& console);
 
 }  // namespace skybake::cli

@@ -152,13 +152,12 @@ struct Lookup {
     std::string numbers = {};  // of the recipe
 };
 
-void print(Console& console, bool json, const fs::path& path, const Lookup& lookup,
-           ShadingLanguage language) {
-    console.result(json ? event_line({{"event", "lookup"},
-                                      {"path", path.string()},
-                                      {"function", lookup.function},
-                                      {row_of(language).word, lookup.text}})
-                        : lookup.text);
+void print(Console& console, const fs::path& path, const Lookup& lookup, ShadingLanguage language) {
+    console.result(console.json() ? event_line({{"event", "lookup"},
+                                                {"path", path.string()},
+                                                {"function", lookup.function},
+                                                {row_of(language).word, lookup.text}})
+                                  : lookup.text);
 }
 
 // Returns the numbers of the recipe that a runtime needs beside the texels of a bake.
@@ -230,8 +229,7 @@ void add_paragraphs(std::string_view text, std::set<std::string, std::less<>>& s
 
 // Prints the lookups of all assets of a folder, each function once, with the recipe's numbers, and marches
 // through its air and clouds.
-ExitCode show_library(const fs::path& folder, ShadingLanguage language, bool json,
-                      Console& console) {
+ExitCode show_library(const fs::path& folder, ShadingLanguage language, Console& console) {
     const auto manifest = read_manifest(folder);
     if (!manifest.value) return console.report(manifest.diagnostics);
     std::set<std::string, std::less<>> seen;
@@ -244,7 +242,7 @@ ExitCode show_library(const fs::path& folder, ShadingLanguage language, bool jso
     const auto assets = load_folder(folder, LoadedTexels::tables);
     if (assets.value) add_paragraphs(runtime_library(*assets.value, 1), seen, text);
     if (text.ends_with("\n\n")) text.pop_back();
-    print(console, json, folder, {"baked", translated(text, language)}, language);
+    print(console, folder, {"baked", translated(text, language)}, language);
     return ExitCode::done;
 }
 
@@ -261,17 +259,16 @@ std::optional<DescribedFile> described_by_manifest(const fs::path& path) {
     return std::nullopt;
 }
 
-ExitCode show_lookup(const fs::path& path, ShadingLanguage language, bool json, Console& console) {
+ExitCode show_lookup(const fs::path& path, ShadingLanguage language, Console& console) {
     std::error_code error;
-    if (fs::is_directory(path, error)) return show_library(path, language, json, console);
+    if (fs::is_directory(path, error)) return show_library(path, language, console);
     if (path.filename() == manifest_name) {
-        return show_library(path.has_parent_path() ? path.parent_path() : ".", language, json,
-                            console);
+        return show_library(path.has_parent_path() ? path.parent_path() : ".", language, console);
     }
     auto lookup = lookup_of_file(path, language);
     if (!lookup.value) return console.report(lookup.diagnostics);
     lookup.value->text = translated(lookup.value->text, language);
-    print(console, json, path, *lookup.value, language);
+    print(console, path, *lookup.value, language);
     return ExitCode::done;
 }
 

@@ -25,7 +25,6 @@ std::optional<DescribedFile> described_by_manifest(const std::filesystem::path& 
 // described by the manifest.json beside it. For a folder or its manifest it prints the library of all its
 // assets: each function once, numbers of the recipe, and how pictures show light. E0300, and E0304 of a
 // file that skybake did not write.
-ExitCode show_lookup(const std::filesystem::path& path, ShadingLanguage language, bool json,
-                     Console& console);
+ExitCode show_lookup(const std::filesystem::path& path, ShadingLanguage language, Console& console);
 
 }  // namespace skybake::cli

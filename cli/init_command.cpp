@@ -18,6 +18,7 @@
 #include "cli/table_printer.h"
 #include "config/presets/presets.h"
 #include "config/recipe/init_text.h"
+#include "config/text/mapped.h"
 #include "config/text/text.h"
 
 namespace skybake::cli {
@@ -46,6 +47,7 @@ struct KnownPreset {
     const PresetKind* kind = nullptr;
     const config::Preset* preset = nullptr;
 
+    std::string_view name() const { return preset->name; }
     // Returns the full name: "clouds.thesis".
     std::string full_name() const { return fmt::format("{}.{}", kind->name, preset->name); }
     std::string recipe() const { return kind->recipe(*preset); }
@@ -65,26 +67,22 @@ constexpr std::array<PresetKind, 5> kinds = {{
      config::cloud_init_text},
 }};
 
-std::vector<std::string> names_with(std::string_view piece) {
-    std::vector<std::string> names;
+// Returns the presets that `init` can write, kind after kind.
+std::vector<KnownPreset> presets_to_write() {
+    std::vector<KnownPreset> presets;
     for (const PresetKind& kind : kinds) {
         if (kind.recipe == nullptr) continue;
-        for (const config::Preset& preset : kind.all()) {
-            if (preset.name.find(piece) != std::string_view::npos) {
-                names.push_back(KnownPreset{&kind, &preset}.full_name());
-            }
-        }
+        for (const config::Preset& preset : kind.all()) presets.push_back({&kind, &preset});
     }
-    return names;
+    return presets;
 }
 
-std::string nearest_preset(const std::string& name) {
-    std::vector<std::string_view> names;
-    for (const PresetKind& kind : kinds) {
-        if (kind.recipe == nullptr) continue;
-        for (const config::Preset& preset : kind.all()) names.push_back(preset.name);
+std::vector<std::string> names_with(std::string_view piece) {
+    std::vector<std::string> names;
+    for (const KnownPreset& known : presets_to_write()) {
+        if (known.name().find(piece) != std::string_view::npos) names.push_back(known.full_name());
     }
-    return config::did_you_mean(name, names);
+    return names;
 }
 
 // Suggests what the user may have meant by a name that no preset has.
@@ -95,7 +93,8 @@ std::string preset_hint(const std::string& name) {
         return fmt::format("{}: {}", kind.plural,
                            fmt::join(config::preset_names(kind.all()), ", "));
     }
-    const std::string nearest = nearest_preset(name);
+    const std::string nearest = config::did_you_mean(
+        name, mapped<std::string_view>(presets_to_write(), &KnownPreset::name));
     if (!nearest.empty()) return nearest;
     constexpr std::size_t shortest_piece = 3;
     const auto names = name.size() < shortest_piece ? std::vector<std::string>() : names_with(name);
@@ -106,16 +105,13 @@ std::string preset_hint(const std::string& name) {
 // Returns the presets of that name that `init` can write: none, one, or one of each kind
 // ("thesis"). A full name such as "clouds.thesis" fits one preset.
 std::vector<KnownPreset> presets_for_init(std::string_view name) {
-    std::vector<KnownPreset> found;
-    for (const PresetKind& kind : kinds) {
-        if (kind.recipe == nullptr) continue;
-        const bool has_kind = name.size() > kind.name.size() && name.starts_with(kind.name) &&
-                              name[kind.name.size()] == '.';
-        const std::string_view own = has_kind ? name.substr(kind.name.size() + 1) : name;
-        if (const auto* preset = config::find_preset(kind.all(), own)) {
-            found.push_back({&kind, preset});
-        }
-    }
+    const std::size_t dot = name.find('.');
+    const bool has_kind = dot != std::string_view::npos;
+    const std::string_view own = has_kind ? name.substr(dot + 1) : name;
+    std::vector<KnownPreset> found = presets_to_write();
+    std::erase_if(found, [&](const KnownPreset& known) {
+        return known.name() != own || (has_kind && known.kind->name != name.substr(0, dot));
+    });
     return found;
 }
 
@@ -130,22 +126,12 @@ std::string init_command_of(std::span<const KnownPreset> presets, std::string_vi
 // Returns E0115: there is no such preset, or it is a preset of a layer. The label suggests presets
 // that may be meant.
 Diagnostic unknown_preset(const std::string& name) {
-    const bool of_layer = config::find_preset(config::layer_presets(), name) != nullptr;
-    Diagnostic diagnostic =
-        of_layer
-            ? usage_error(
-                  fmt::format("`{}` is the preset of a layer and not of a whole recipe", name),
-                  fmt::format("write preset = \"{}\" below [atmosphere.layers.ANY_NAME]", name))
-            : usage_error(fmt::format("there is no preset `{}`", name), preset_hint(name));
-    diagnostic.code = "E0115";
-    return diagnostic;
-}
-
-// Returns "noise.thesis or clouds.thesis".
-std::string full_names(std::span<const KnownPreset> presets) {
-    std::vector<std::string> names;
-    for (const KnownPreset& preset : presets) names.push_back(preset.full_name());
-    return fmt::format("{}", fmt::join(names, " or "));
+    if (config::find_preset(config::layer_presets(), name) != nullptr) {
+        return diagnosis(
+            "E0115", fmt::format("`{}` is the preset of a layer and not of a whole recipe", name),
+            fmt::format("write preset = \"{}\" below [atmosphere.layers.ANY_NAME]", name));
+    }
+    return diagnosis("E0115", fmt::format("there is no preset `{}`", name), preset_hint(name));
 }
 
 // --- The command --------------------------------------------------------------------------------
@@ -186,11 +172,9 @@ Outcome<KnownPreset> preset_of(const std::string& name) {
     const auto presets = presets_for_init(name);
     if (presets.size() == 1) return {presets.front(), {}};
     if (presets.empty()) return unknown_preset(name);
-    Diagnostic diagnostic =
-        usage_error(fmt::format("several presets have the name `{}`", name),
-                    fmt::format("name it with its kind: {}", full_names(presets)));
-    diagnostic.code = "E0115";
-    return diagnostic;
+    const auto names = mapped<std::string>(presets, &KnownPreset::full_name);
+    return diagnosis("E0115", fmt::format("several presets have the name `{}`", name),
+                     fmt::format("name it with its kind: {}", fmt::join(names, " or ")));
 }
 
 Diagnostic would_overwrite(const std::string& file) {
@@ -208,10 +192,10 @@ ExitCode write_recipe(const std::string& file, const KnownPreset& preset, bool f
     const auto outcome = write_file_atomically(file, preset.recipe());
     const ExitCode code = console.report(outcome.diagnostics);
     if (!outcome.value) return code;
-    console.result(console.display().json ? event_line({{"event", "recipe_written"},
-                                                        {"path", file},
-                                                        {"preset", preset.full_name()}})
-                                          : file + '\n');
+    console.result(console.json() ? event_line({{"event", "recipe_written"},
+                                                {"path", file},
+                                                {"preset", preset.full_name()}})
+                                  : file + '\n');
     console.note(
         fmt::format("{} was written from the preset {}\n"
                     "next: skybake bake {} -o out\n",
@@ -222,14 +206,14 @@ ExitCode write_recipe(const std::string& file, const KnownPreset& preset, bool f
 void print_recipe(const KnownPreset& preset, Console& console) {
     const std::string text = preset.recipe();
     console.result(
-        console.display().json
+        console.json()
             ? event_line({{"event", "recipe"}, {"preset", preset.full_name()}, {"text", text}})
             : text);
 }
 
 ExitCode run_init(const Invocation& invocation, Console& console) {
     if (invocation[options::list]) {
-        console.result(console.display().json ? preset_list_event() : preset_list());
+        console.result(console.json() ? preset_list_event() : preset_list());
         return ExitCode::done;
     }
     const auto preset = preset_of(invocation[options::preset]);
@@ -251,10 +235,8 @@ ExitCode run_init(const Invocation& invocation, Console& console) {
 OptionRow preset_row() {
     OptionRow row = options::preset("the preset to start from, such as clouds.thesis", "earth");
     row.offered = names_with("");
-    for (const PresetKind& kind : kinds) {
-        for (const config::Preset& preset : kind.all()) {
-            if (presets_for_init(preset.name).size() == 1) row.offered.emplace_back(preset.name);
-        }
+    for (const KnownPreset& known : presets_to_write()) {
+        if (presets_for_init(known.name()).size() == 1) row.offered.emplace_back(known.name());
     }
     return row;
 }

@@ -2,9 +2,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <cstdio>
 #include <cstdlib>
-#include <exception>
 #include <string>
 #include <vector>
 
@@ -31,16 +29,9 @@ int main(int argc, char** argv) {
     install_signal_handlers();
     install_end_of_process();
     skybake::keep_freed_memory();
-    try {
-        const std::vector<std::string> words(argv + (argc > 0 ? 1 : 0), argv + argc);
-        const ColorEnvironment colors = {std::getenv("NO_COLOR"), std::getenv("CLICOLOR_FORCE"),
-                                         std::getenv("FORCE_COLOR")};
-        return static_cast<int>(
-            run(words, descriptor_sink(STDOUT_FILENO), descriptor_sink(STDERR_FILENO), colors));
-    } catch (const std::exception& exception) {
-        std::fprintf(stderr, "error[E0500]: internal error: %s\n", exception.what());
-    } catch (...) {
-        std::fputs("error[E0500]: internal error\n", stderr);
-    }
-    return static_cast<int>(ExitCode::internal);
+    const std::vector<std::string> words(argv + (argc > 0 ? 1 : 0), argv + argc);
+    const ColorEnvironment colors = {std::getenv("NO_COLOR"), std::getenv("CLICOLOR_FORCE"),
+                                     std::getenv("FORCE_COLOR")};
+    return static_cast<int>(
+        run(words, descriptor_sink(STDOUT_FILENO), descriptor_sink(STDERR_FILENO), colors));
 }

@@ -101,9 +101,8 @@ std::optional<std::uint64_t> parse_byte_size(std::string_view text) {
     return std::nullopt;
 }
 
-std::optional<std::int64_t> parse_count(std::string_view text, std::int64_t least,
-                                        std::int64_t most) {
-    std::int64_t count = 0;
+std::optional<int> parse_count(std::string_view text, int least, int most) {
+    int count = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
     const bool whole = error == std::errc() && end == text.data() + text.size();
     if (!whole || count < least || count > most) return std::nullopt;
@@ -125,7 +124,7 @@ Outcome<fs::path> read_folder(const std::string& text) {
 }
 
 Outcome<int> read_jobs(const std::string& text) {
-    if (const auto threads = parse_count(text, 1, 1024)) return {static_cast<int>(*threads), {}};
+    if (const auto threads = parse_count(text, 1, 1024)) return {threads, {}};
     return bad_value("-j", text, "it takes a number of threads from 1 to 1024");
 }
 
@@ -162,8 +161,8 @@ OptionRow server_row() {
 
 Outcome<fs::path> cache_folder(const Invocation& invocation) {
     const char* const variable = std::getenv("SKYBAKE_CACHE_DIR");
-    fs::path folder = variable != nullptr ? variable : "";
-    if (invocation.has(options::cache_dir)) folder = invocation[options::cache_dir];
+    fs::path folder =
+        invocation.given(options::cache_dir).value_or(variable != nullptr ? variable : "");
     auto problems = folder.empty() ? std::vector<Diagnostic>{} : check_cache_folder(folder);
     if (!problems.empty()) return {{}, std::move(problems)};
     return {std::move(folder), {}};
@@ -180,17 +179,12 @@ fs::path own_cache_folder() {
 }
 
 Outcome<std::string> cache_url(const Invocation& invocation) {
-    if (invocation.has(options::cache)) return {invocation[options::cache], {}};
+    if (auto given = invocation.given(options::cache)) return {std::move(given), {}};
     const char* const url = std::getenv("SKYBAKE_CACHE");
     if (url == nullptr || *url == '\0') return {"", {}};
     std::string problem = cache_url_problem(url);
     if (problem.empty()) return {url, {}};
     return bad_value("SKYBAKE_CACHE", without_credentials(url), std::move(problem));
-}
-
-std::optional<double> memory_limit_mib(const Invocation& invocation) {
-    if (!invocation.has(options::max_memory)) return std::nullopt;
-    return invocation[options::max_memory];
 }
 
 // --- The recipe ---------------------------------------------------------------------------------

@@ -24,8 +24,7 @@ inline constexpr std::string_view byte_size_words = "it takes a size such as 512
 
 // Reads a whole number from `least` to `most`. The text must hold nothing else, neither sign nor
 // blanks.
-std::optional<std::int64_t> parse_count(std::string_view text, std::int64_t least,
-                                        std::int64_t most);
+std::optional<int> parse_count(std::string_view text, int least, int most);
 
 // Returns E0001, "`--tasks` cannot be `x`", with a label that says what the option takes.
 Diagnostic bad_value(std::string_view option, std::string_view text, std::string label);
@@ -103,9 +102,6 @@ std::filesystem::path own_cache_folder();
 // Returns the URL of the cache on a server: --cache, else the environment variable SKYBAKE_CACHE. It
 // is empty if there is none. E0001 if the variable holds no URL.
 Outcome<std::string> cache_url(const Invocation& invocation);
-
-// Returns none without --max-memory.
-std::optional<double> memory_limit_mib(const Invocation& invocation);
 
 // --- The recipe ---------------------------------------------------------------------------------
 

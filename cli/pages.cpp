@@ -81,15 +81,12 @@ std::vector<std::string> spellings(const OptionRow& option) {
     return words;
 }
 
-bool is_folder(const OptionRow& option) { return option.is_path && option.value == "FOLDER"; }
-
 // Returns the names that shells complete for an argument. For `help` these are the names of the
 // commands.
-std::vector<std::string_view> argument_choices(const Command& command,
-                                               std::span<const Command> commands) {
+std::vector<std::string_view> argument_choices(const Command& command) {
     std::vector<std::string_view> choices;
     if (command.name == "help") {
-        for (const Command& other : commands) choices.push_back(other.name);
+        for (const Command& other : commands()) choices.push_back(other.name);
     } else if (!command.arguments.empty()) {
         choices = command.arguments[0].choices;
     }
@@ -102,6 +99,14 @@ std::string offered(const OptionRow& option) {
     return fmt::format("{}", fmt::join(option.offered, " "));
 }
 
+// Returns how a shell completes the values of an option: by words, by folders, by files, or otherwise.
+std::string completed_by(const OptionRow& option, const std::string& words, const char* folders,
+                         const char* files, const char* otherwise) {
+    if (!offered(option).empty()) return words;
+    if (!option.is_path) return otherwise;
+    return option.value == "FOLDER" ? folders : files;
+}
+
 // Returns the cases `COMMAND:OPTION`, where OPTION is the word before the cursor, that complete the
 // option's value.
 std::string bash_values(std::string_view command, std::span<const OptionRow> options) {
@@ -112,11 +117,9 @@ std::string bash_values(std::string_view command, std::span<const OptionRow> opt
         for (const std::string& word : spellings(option)) {
             patterns.push_back(fmt::format("{}:{}", command, word));
         }
-        const std::string reply = !offered(option).empty()
-                                      ? fmt::format("_skybake_words \"{}\"", offered(option))
-                                  : is_folder(option) ? "_skybake_paths -d"
-                                  : option.is_path    ? "_skybake_paths -f"
-                                                      : ":";
+        const std::string reply =
+            completed_by(option, fmt::format("_skybake_words \"{}\"", offered(option)),
+                         "_skybake_paths -d", "_skybake_paths -f", ":");
         text += fmt::format("        {}) {}; return ;;\n", fmt::join(patterns, "|"), reply);
     }
     return text;
@@ -152,15 +155,15 @@ _skybake() {
     fi
 )";
 
-std::string bash_completion(std::span<const Command> commands, std::span<const OptionRow> globals) {
+std::string bash_completion() {
     std::vector<std::string_view> names;
     std::string values, options, arguments;
-    for (const Command& command : commands) {
+    for (const Command& command : commands()) {
         names.push_back(command.name);
         values += bash_values(command.name, command.options);
         options += fmt::format("            {}) options+=\"{}\" ;;\n", command.name,
                                bash_words(command.options));
-        const auto choices = argument_choices(command, commands);
+        const auto choices = argument_choices(command);
         if (choices.empty()) continue;
         arguments += fmt::format("        {}) _skybake_words \"{}\" ;;\n", command.name,
                                  fmt::join(choices, " "));
@@ -177,8 +180,8 @@ std::string bash_completion(std::span<const Command> commands, std::span<const O
         "    case $command in\n        \"\") _skybake_words \"{}\" ;;\n{}        *) _skybake_paths "
         "-f ;;\n    esac\n}}\n"
         "complete -F _skybake skybake\n",
-        bash_functions, fmt::join(names, "|"), bash_values("*", globals), values,
-        bash_words(globals), options, fmt::join(names, " "), arguments);
+        bash_functions, fmt::join(names, "|"), bash_values("*", global_options()), values,
+        bash_words(global_options()), options, fmt::join(names, " "), arguments);
 }
 
 // Puts a text between the single quotes of a shell.
@@ -192,12 +195,9 @@ std::string zsh_specs(std::span<const OptionRow> options) {
         const std::string help = replaced(option.help, {{'[', "\\["}, {']', "\\]"}});
         std::string spec = fmt::format("[{}]", help);
         if (!option.value.empty()) {
-            const std::string action = !offered(option).empty()
-                                           ? fmt::format("({})", offered(option))
-                                       : is_folder(option) ? "_files -/"
-                                       : option.is_path    ? "_files"
-                                                           : " ";
-            spec += fmt::format(":{}:{}", option.value, action);
+            spec += fmt::format(":{}:{}", option.value,
+                                completed_by(option, fmt::format("({})", offered(option)),
+                                             "_files -/", "_files", " "));
         }
         for (const std::string& word : spellings(option)) {
             const std::string once =
@@ -208,9 +208,9 @@ std::string zsh_specs(std::span<const OptionRow> options) {
     return text;
 }
 
-std::string zsh_arguments(const Command& command, std::span<const Command> commands) {
+std::string zsh_arguments(const Command& command) {
     std::string text;
-    const auto choices = argument_choices(command, commands);
+    const auto choices = argument_choices(command);
     for (std::size_t i = 0; i < command.arguments.size(); ++i) {
         const Argument& argument = command.arguments[i];
         const std::string place = argument.repeatable ? "*" : fmt::format("{}", i + 1);
@@ -224,14 +224,14 @@ std::string zsh_arguments(const Command& command, std::span<const Command> comma
     return text;
 }
 
-std::string zsh_completion(std::span<const Command> commands, std::span<const OptionRow> globals) {
+std::string zsh_completion() {
     std::string described, cases;
-    for (const Command& command : commands) {
+    for (const Command& command : commands()) {
         described += fmt::format("        {}\n",
                                  shell_quoted(fmt::format("{}:{}", command.name, command.summary)));
         cases += fmt::format("    {})\n      _arguments{}{}{}\n      ;;\n", command.name,
-                             zsh_specs(globals), zsh_specs(command.options),
-                             zsh_arguments(command, commands));
+                             zsh_specs(global_options()), zsh_specs(command.options),
+                             zsh_arguments(command));
     }
     return fmt::format(
         "#compdef skybake\n_skybake() {{\n  local curcontext=$curcontext state line\n"
@@ -239,7 +239,7 @@ std::string zsh_completion(std::span<const Command> commands, std::span<const Op
         "  _arguments -C{} \\\n        '1:command:->command' '*::argument:->argument'\n"
         "  case $state in\n  command) _describe command commands ;;\n"
         "  argument)\n    case $words[1] in\n{}    esac\n    ;;\n  esac\n}}\n_skybake \"$@\"\n",
-        described, zsh_specs(globals), cases);
+        described, zsh_specs(global_options()), cases);
 }
 
 // Returns the fish lines of options. `where` is a condition on the command line, or empty.
@@ -248,28 +248,22 @@ std::string fish_options(const std::string& where, std::span<const OptionRow> op
     for (const OptionRow& option : options) {
         text += fmt::format("complete -c skybake{} -l {}", where, option.name);
         if (option.short_name != 0) text += fmt::format(" -s {}", option.short_name);
-        if (!offered(option).empty()) {
-            text += fmt::format(" -x -a {}", shell_quoted(offered(option)));
-        } else if (is_folder(option)) {
-            text += " -x -a '(__fish_complete_directories)'";
-        } else if (option.is_path) {
-            text += " -r -F";
-        } else if (!option.value.empty()) {
-            text += " -x";
-        }
+        text += completed_by(option, fmt::format(" -x -a {}", shell_quoted(offered(option))),
+                             " -x -a '(__fish_complete_directories)'", " -r -F",
+                             option.value.empty() ? "" : " -x");
         text += fmt::format(" -d {}\n", shell_quoted(option.help));
     }
     return text;
 }
 
-std::string fish_completion(std::span<const Command> commands, std::span<const OptionRow> globals) {
-    std::string text = "# fish completion for skybake\n" + fish_options("", globals);
-    for (const Command& command : commands) {
+std::string fish_completion() {
+    std::string text = "# fish completion for skybake\n" + fish_options("", global_options());
+    for (const Command& command : commands()) {
         const std::string where = fmt::format(" -n '__fish_seen_subcommand_from {}'", command.name);
         text += fmt::format("complete -c skybake -n __fish_use_subcommand -f -a {} -d {}\n",
                             command.name, shell_quoted(command.summary));
         text += fish_options(where, command.options);
-        const auto choices = argument_choices(command, commands);
+        const auto choices = argument_choices(command);
         if (choices.empty()) continue;
         text += fmt::format("complete -c skybake{} -f -a '{}'\n", where, fmt::join(choices, " "));
     }
@@ -278,15 +272,15 @@ std::string fish_completion(std::span<const Command> commands, std::span<const O
 
 }  // namespace
 
-std::string man_page(std::span<const Command> commands, std::span<const OptionRow> globals,
-                     std::span<const Example> examples) {
+std::string man_page(std::span<const Example> examples) {
     std::string text = page_head("skybake", program_summary) +
                        ".SH SYNOPSIS\n\\fBskybake\\fR \\fIcommand\\fR [\\fIrecipe.toml\\fR] "
                        "[\\fIoptions\\fR]\n.SH COMMANDS\n";
-    for (const Command& command : commands) {
+    for (const Command& command : commands()) {
         text += term(fmt::format("\\fBskybake\\-{}\\fR(1)", command.name), command.summary);
     }
-    text += ".SH OPTIONS\nThese options stand after any command.\n" + option_terms(globals);
+    text +=
+        ".SH OPTIONS\nThese options stand after any command.\n" + option_terms(global_options());
     text +=
         ".SH ENVIRONMENT\n" +
         term("\\fBSKYBAKE_CACHE_DIR\\fR",
@@ -313,11 +307,10 @@ std::string man_page(const Command& command) {
            ".SH SEE ALSO\n\\fBskybake\\fR(1) has the options that every command takes.\n";
 }
 
-std::string completion(Shell shell, std::span<const Command> commands,
-                       std::span<const OptionRow> globals) {
-    if (shell == Shell::bash) return bash_completion(commands, globals);
-    if (shell == Shell::zsh) return zsh_completion(commands, globals);
-    return fish_completion(commands, globals);
+std::string completion(Shell shell) {
+    if (shell == Shell::bash) return bash_completion();
+    if (shell == Shell::zsh) return zsh_completion();
+    return fish_completion();
 }
 
 }  // namespace skybake::cli

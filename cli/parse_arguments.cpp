@@ -22,10 +22,15 @@ const OptionRow* find_option(std::span<const OptionRow> options, std::string_vie
 }
 
 const OptionRow* find_letter(std::span<const OptionRow> options, char letter) {
-    const auto found = std::ranges::find_if(options, [letter](const OptionRow& option) {
-        return letter != 0 && option.short_name == letter;
-    });
+    const auto found = std::ranges::find(options, letter, &OptionRow::short_name);
     return found != options.end() ? &*found : nullptr;
+}
+
+// Returns the option that a word names: "--name", "--name=value", "-n" or "-nvalue".
+const OptionRow* option_of(std::string_view word, std::span<const OptionRow> options) {
+    if (!is_option(word)) return nullptr;
+    return word.starts_with("--") ? find_option(options, word.substr(2, word.find('=') - 2))
+                                  : find_letter(options, word[1]);
 }
 
 // Whether a word that begins like an option is one of these options. It may be spelt "--name",
@@ -69,16 +74,11 @@ std::string dashed(std::string_view name) { return fmt::format("`--{}`", name); 
 // Returns the option of a command that a word before the command's name may mean, as help writes
 // it.
 std::string misplaced_option(std::string_view word, const Command& command) {
-    for (const OptionRow& option : command.options) {
-        const bool by_letter = !word.starts_with("--") && option.short_name == word[1];
-        const bool by_name =
-            word.starts_with("--") && word.substr(2, word.find('=') - 2) == option.name;
-        if (!by_letter && !by_name) continue;
-        const std::string name =
-            by_letter ? fmt::format("-{}", option.short_name) : fmt::format("--{}", option.name);
-        return option.value.empty() ? name : fmt::format("{} {}", name, option.value);
-    }
-    return "";
+    const OptionRow* const option = option_of(word, command.options);
+    if (option == nullptr) return "";
+    const std::string name = word.starts_with("--") ? fmt::format("--{}", option->name)
+                                                    : fmt::format("-{}", option->short_name);
+    return option->value.empty() ? name : fmt::format("{} {}", name, option->value);
 }
 
 Diagnostic unknown_option(const std::string& word, std::span<const OptionRow> options,
@@ -152,8 +152,7 @@ Found sort_words(std::vector<std::string> words, std::span<const OptionRow> opti
         const std::string word = words[next++];
         const bool is_long = word.starts_with("--");
         const std::size_t end = std::min(is_long ? word.find('=') : 2, word.size());
-        const OptionRow* option = is_long ? find_option(options, word.substr(2, end - 2))
-                                          : find_letter(options, is_option(word) ? word[1] : 0);
+        const OptionRow* option = option_of(word, options);
         if (option == nullptr) {
             const bool is_number = is_option(word) && word[1] >= '0' && word[1] <= '9';
             (is_option(word) && !is_number ? found.unknown : found.arguments).push_back(word);
@@ -263,8 +262,7 @@ CommandLine parse_arguments(std::span<const std::string> words, std::span<const 
         return line;
     }
     if (position < rest.size()) {
-        const auto command = std::ranges::find_if(
-            commands, [&](const Command& entry) { return entry.name == rest[position]; });
+        const auto command = std::ranges::find(commands, rest[position], &Command::name);
         if (command == commands.end()) {
             line.diagnostics.push_back(unknown_command(rest[position], commands));
             return line;

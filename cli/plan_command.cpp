@@ -46,15 +46,15 @@ Outcome<double> read_share(const std::string& text, std::string_view option) {
     return bad_value(std::string(option), text, "it takes a share up to 1, such as 2% or 0.02");
 }
 
-Outcome<std::int64_t> read_fetches(const std::string& text) {
-    if (const auto count = parse_count(text, 1, 1'000'000)) return {*count, {}};
+Outcome<double> read_fetches(const std::string& text) {
+    if (const auto count = parse_count(text, 1, 1'000'000)) return {count, {}};
     return bad_value("--max-fetches", text, "it takes a number from 1 to 1000000");
 }
 
-Outcome<std::uint64_t> read_size(const std::string& text) {
+Outcome<double> read_size(const std::string& text) {
     const auto bytes = parse_byte_size(text);
     constexpr std::uint64_t fewest = 1024;
-    if (bytes && *bytes >= fewest) return {*bytes, {}};
+    if (bytes && *bytes >= fewest) return {static_cast<double>(*bytes), {}};
     return bad_value("--max-size", text, fmt::format("{}, of 1 KiB at least", byte_size_words));
 }
 
@@ -65,8 +65,8 @@ const Option<double> max_cloud_error{
     "max-cloud-error", 0, "SHARE", {}, [](const std::string& text) {
         return read_share(text, "--max-cloud-error");
     }};
-const Option<std::int64_t> max_fetches{"max-fetches", 0, "N", {}, read_fetches};
-const Option<std::uint64_t> max_size{"max-size", 0, "SIZE", {}, read_size};
+const Option<double> max_fetches{"max-fetches", 0, "N", {}, read_fetches};
+const Option<double> max_size{"max-size", 0, "SIZE", {}, read_size};
 const Option<std::filesystem::path> write{"write", 0, "FILE"};
 
 }  // namespace
@@ -75,16 +75,9 @@ const Option<std::filesystem::path> write{"write", 0, "FILE"};
 namespace {
 
 WayLimits limits_of(const Invocation& invocation, const PlanSubject& subject) {
-    WayLimits limits;
-    const auto& error = subject.is_cloud() ? options::max_cloud_error : options::max_sky_error;
-    if (invocation.has(error)) limits.error = invocation[error];
-    if (invocation.has(options::max_fetches)) {
-        limits.fetches = static_cast<double>(invocation[options::max_fetches]);
-    }
-    if (invocation.has(options::max_size)) {
-        limits.bytes = static_cast<double>(invocation[options::max_size]);
-    }
-    return limits;
+    return {
+        invocation.given(subject.is_cloud() ? options::max_cloud_error : options::max_sky_error),
+        invocation.given(options::max_fetches), invocation.given(options::max_size)};
 }
 
 // Returns the front, and the least error of each baseline that has no way on it.
@@ -133,13 +126,12 @@ std::string table_text(const Plan& plan) {
 }
 
 // A plan's files carry the sign of a report, which guards what others have written.
-Outcome<std::vector<ReportFile>> files_of(const std::vector<Plan>& plans,
-                                          const std::string& title) {
+Outcome<std::vector<NamedFile>> files_of(const std::vector<Plan>& plans, const std::string& title) {
     auto page = plan_page(plans, title);
     if (!page.value) return {{}, std::move(page.diagnostics)};
-    std::vector<ReportFile> files = {{"plan.csv", plan_csv(plans)},
-                                     {"plan.json", plan_json(plans)},
-                                     {page_name, std::move(*page.value)}};
+    std::vector<NamedFile> files = {{"plan.csv", plan_csv(plans)},
+                                    {"plan.json", plan_json(plans)},
+                                    {page_name, std::move(*page.value)}};
     for (const Plan& plan : plans) {
         files.push_back({file_name_of(plan.subject) + ".svg", report_svg(plan_figure(plan))});
         if (plan.sheet.empty()) continue;

@@ -54,32 +54,29 @@ std::string content_of(const Plan& plan) {
 }
 
 Outcome<PageTable> table_of(const Plan& plan) {
-    const Picture chart = painted(drawing_of(plan_figure(plan)));
-    auto chart_bytes = png_bytes(chart);
+    PreviewPicture chart =
+        as_plot({file_name_of(plan.subject) + "_chart", "Error against size and fetches",
+                 "The line joins the ways that no other way beats.",
+                 painted(drawing_of(plan_figure(plan)))});
+    auto chart_bytes = png_bytes(chart.picture);
     if (!chart_bytes.value) return {{}, std::move(chart_bytes.diagnostics)};
+    chart.picture.rgb = {};
     PageTable table;
     table.title = name_of(plan.subject);
     table.title.front() = 'T';  // "the sky", "the cloud `cumulus`"
     table.content = content_of(plan);
-    table.pictures.push_back({.name = file_name_of(plan.subject) + "_chart",
-                              .title = "Error against size and fetches",
-                              .caption = "The line joins the ways that no other way beats.",
-                              .width = chart.width,
-                              .height = chart.height,
-                              .png = std::move(*chart_bytes.value),
-                              .kind = PictureKind::plot,
-                              .titled = true});
+    table.pictures.push_back({std::move(chart), std::move(*chart_bytes.value)});
     if (!plan.sheet.empty()) {
+        PagePicture sheet = {{file_name_of(plan.subject), "Pictures",
+                              "By paths of light and by the best way of each family, with the "
+                              "differences: red is brighter, blue darker.",
+                              Picture()},
+                             plan.sheet};
         const auto [width, height] = png_size(plan.sheet);
-        table.pictures.push_back({.name = file_name_of(plan.subject),
-                                  .title = "Pictures",
-                                  .caption =
-                                      "By paths of light and by the best way of each family, with "
-                                      "the differences: red is brighter, blue darker.",
-                                  .width = width,
-                                  .height = height,
-                                  .png = plan.sheet,
-                                  .kind = PictureKind::scene});
+        sheet.picture.width = width;
+        sheet.picture.height = height;
+        sheet.kind = PictureKind::scene;
+        table.pictures.push_back(std::move(sheet));
     }
     // "RMS %" without its unit, which the numbers have.
     const std::string column = plan.words.column.substr(0, plan.words.column.rfind(' '));

@@ -72,6 +72,7 @@ struct PreviewRequest {
     Subject subject = Subject::recipe;
     std::vector<std::filesystem::path> paths;  // one path, or several files
     std::filesystem::path output;
+    std::string page_path() const { return (output / page_name).string(); }
     bool force = false;
     bool watch = false;
     int draft_edge = 64;          // voxels along the longest edge of a draft's volumes
@@ -108,14 +109,9 @@ class ReadyFiles {
 // number or are out of range.
 Outcome<PreviewRequest> preview_request(const Invocation& invocation);
 
-// Checks whether the folder may be written to, as far as this can be seen before the pictures are
-// made. Reports E0302 or E0303 if not.
-ExitCode check_output(const PreviewRequest& request, Console& console);
-
-// Writes all files at once and puts their paths into `paths`, the page last. Pictures of earlier
-// previews that are not made any more stay where they are. Reports E0301, E0302 and E0303.
-ExitCode write_preview(PreviewPage page, const PreviewRequest& request, Console& console,
-                       std::vector<std::string>& paths);
+// Writes all files at once. Pictures of earlier previews that are not made any more stay where they
+// are. Reports E0301, E0302 and E0303.
+ExitCode write_preview(PreviewPage page, const PreviewRequest& request, Console& console);
 
 // Makes a draft of the recipe's pictures and then the pictures at full quality. It does so again
 // whenever the recipe, an include or a map changes, until it is interrupted. A change stops the

@@ -12,10 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "bakers/io/files/atomic_file.h"
 #include "bakers/io/files/output_folder.h"
 #include "bakers/io/files/stopwatch.h"
-#include "bakers/io/files/temporary_file.h"
 #include "bakers/math/intermediates.h"
 #include "bakers/plot/drawing.h"
 #include "bakers/preview/bake_assets.h"
@@ -29,6 +27,9 @@
 #include "cli/options.h"
 #include "cli/preview.h"
 #include "cli/progress.h"
+#include "cli/report.h"
+#include "cli/table_printer.h"
+#include "config/text/mapped.h"
 
 namespace skybake::cli {
 namespace {
@@ -42,7 +43,7 @@ std::vector<std::string> retired(const fs::path& folder, const std::vector<std::
     std::vector<std::string> left;
     for (const std::string& name : earlier) {
         std::error_code error;
-        const bool made = std::find(names.begin(), names.end(), name) != names.end();
+        const bool made = std::ranges::find(names, name) != names.end();
         if (!made && fs::exists(folder / name, error)) left.push_back(name);
     }
     return left;
@@ -57,8 +58,7 @@ std::vector<fs::path> likely_folders(const PreviewRequest& request) {
     for (const fs::path& place : {fs::path(), recipe.parent_path()}) {
         for (const fs::path& name : {fs::path("out"), recipe.stem()}) {
             const fs::path folder = place / name;
-            const bool is_new = std::find(folders.begin(), folders.end(), folder) == folders.end();
-            if (is_new) folders.push_back(folder);
+            if (std::ranges::find(folders, folder) == folders.end()) folders.push_back(folder);
         }
     }
     return folders;
@@ -143,11 +143,9 @@ std::string previewed_event(std::vector<std::string> paths, double seconds) {
 
 // Writes a live page before its still pictures are made. Returns whether it is there.
 bool show_early(const PreviewPage& page, const PreviewRequest& request, Console& console) {
-    std::vector<std::string> paths;
-    if (interrupted() || write_preview(page, request, console, paths) != ExitCode::done)
-        return false;
-    console.note(
-        fmt::format("open {}; pictures for browsers without WebGL 2 follow\n", paths.back()));
+    if (interrupted() || write_preview(page, request, console) != ExitCode::done) return false;
+    console.note(fmt::format("open {}; pictures for browsers without WebGL 2 follow\n",
+                             request.page_path()));
     return true;
 }
 
@@ -175,19 +173,27 @@ ExitCode show(const Invocation& invocation, const PreviewRequest& request, Conso
         console.note(fmt::format("baked before: {}\n", fmt::join(shared.ready, ", ")));
     }
     if (const ExitCode code = console.report(page.diagnostics); !page.value) return code;
-    std::vector<std::string> paths;
-    if (const ExitCode code = write_preview(*page.value, request, console, paths);
-        code != ExitCode::done) {
-        return code;
-    }
+    const ExitCode code = write_preview(*page.value, request, console);
+    if (code != ExitCode::done) return code;
+    const auto paths = mapped<std::string>(
+        preview_file_names(*page.value),
+        [&](const std::string& name) { return (request.output / name).string(); });
     const double elapsed_s = stopwatch.seconds();
-    console.result(console.display().json ? previewed_event(paths, elapsed_s)
-                                          : fmt::format("{}\n", fmt::join(paths, "\n")));
-    const std::string made = paths.size() > 1 ? fmt::format("{} picture{}", paths.size() - 1,
-                                                            paths.size() == 2 ? "" : "s")
-                                              : "a page";
+    console.result(console.json() ? previewed_event(paths, elapsed_s)
+                                  : fmt::format("{}\n", fmt::join(paths, "\n")));
+    const std::string made = paths.size() > 1 ? counted(paths.size() - 1, "picture") : "a page";
     console.note(fmt::format("{} in {:.1f} s: open {}\n", made, elapsed_s, paths.back()));
     return ExitCode::done;
+}
+
+// Checks whether the folder may be written to, as far as this can be seen before the pictures are
+// made. Reports E0302 or E0303 if not.
+ExitCode check_output(const PreviewRequest& request, Console& console) {
+    const auto folder = inspect_output_folder(request.output, {}, true);
+    if (const ExitCode code = console.report(folder.diagnostics); !folder.value) return code;
+    if (request.force) return ExitCode::done;
+    return console.report(
+        foreign_preview_files(request.output, {page_name}, earlier_preview_files(request.output)));
 }
 
 ExitCode run_preview(const Invocation& invocation, Console& console) {
@@ -232,16 +238,7 @@ AssetMemo ReadyFiles::light() {
     return memo;
 }
 
-ExitCode check_output(const PreviewRequest& request, Console& console) {
-    const auto folder = inspect_output_folder(request.output, {}, true);
-    if (const ExitCode code = console.report(folder.diagnostics); !folder.value) return code;
-    if (request.force) return ExitCode::done;
-    return console.report(
-        foreign_preview_files(request.output, {page_name}, earlier_preview_files(request.output)));
-}
-
-ExitCode write_preview(PreviewPage page, const PreviewRequest& request, Console& console,
-                       std::vector<std::string>& paths) {
+ExitCode write_preview(PreviewPage page, const PreviewRequest& request, Console& console) {
     const std::vector<std::string> earlier = earlier_preview_files(request.output);
     const std::vector<std::string> names = preview_file_names(page);
     if (!request.force) {
@@ -249,19 +246,7 @@ ExitCode write_preview(PreviewPage page, const PreviewRequest& request, Console&
         if (!foreign.empty()) return console.report(foreign);
     }
     page.retired = retired(request.output, earlier, names);
-    const auto made = create_output_folder(request.output);
-    if (const ExitCode code = console.report(made.diagnostics); !made.value) return code;
-    remove_stale_temporaries_in(request.output);
-    const BakeProgress progress("write", console);
-    AtomicFiles atomic;
-    for (const PreviewFile& file : preview_files(page)) {
-        const auto path = request.output / file.name;
-        const auto staged = atomic.stage(path, std::string_view(file.bytes), &progress);
-        if (const ExitCode code = console.report(staged.diagnostics); !staged.value) return code;
-        if (*staged.value == WriteResult::interrupted) return ExitCode::interrupted;
-        paths.push_back(path.string());
-    }
-    return console.report(atomic.commit());
+    return write_files(preview_files(page), request.output, console);
 }
 
 Command preview_command() {

@@ -65,9 +65,7 @@ Outcome<T> valid(const std::optional<T>& value, std::string_view option, std::st
 
 Outcome<int> read_count(std::string_view text, int least, int most, std::string_view option,
                         std::string_view what) {
-    std::optional<int> count;
-    if (const auto found = parse_count(text, least, most)) count = static_cast<int>(*found);
-    return valid(count, option, text, what,
+    return valid(parse_count(text, least, most), option, text, what,
                  fmt::format("expected a number from {} to {}", least, most));
 }
 
@@ -162,26 +160,21 @@ void check_combination(const Invocation& invocation, const PreviewRequest& reque
 
 // Returns the options for pictures: suns, exposure, camera and size.
 PreviewOptions picture_options(const Invocation& invocation) {
-    PreviewOptions given;
-    given.sun_elevations_deg = invocation[options::sun_elevation];
-    const auto take = [&invocation](const auto& option, auto& member) {
-        if (invocation.has(option)) member = invocation[option];
-    };
-    take(options::sun_azimuth, given.sun_azimuth_deg);
-    take(options::exposure, given.exposure_stops);
-    take(options::tone_curve, given.tone_curve);
-    take(options::glare, given.glare);
-    take(options::altitude, given.altitude_m);
-    take(options::camera, given.camera);
-    take(options::size, given.picture_size);
-    given.single = invocation[options::single];
-    given.table_sky = invocation[options::table_sky];
-    take(options::at, given.at);
-    take(options::place, given.place);
-    take(options::turntable, given.turntable);
-    given.live = invocation[options::live];
-    given.threads = invocation[options::jobs];
-    return given;
+    return {.sun_elevations_deg = invocation[options::sun_elevation],
+            .exposure_stops = invocation.given(options::exposure),
+            .tone_curve = invocation.given(options::tone_curve),
+            .glare = invocation.given(options::glare),
+            .altitude_m = invocation.given(options::altitude),
+            .sun_azimuth_deg = invocation.given(options::sun_azimuth),
+            .at = invocation.given(options::at),
+            .place = invocation.given(options::place),
+            .camera = invocation.given(options::camera),
+            .picture_size = invocation.given(options::size),
+            .single = invocation[options::single],
+            .table_sky = invocation[options::table_sky],
+            .turntable = invocation[options::turntable],
+            .live = invocation[options::live],
+            .threads = invocation[options::jobs]};
 }
 
 }  // namespace
@@ -251,7 +244,7 @@ Outcome<std::array<int, 2>> read_size(const std::string& text) {
     const auto width = parse_count(view.substr(0, by), least, most);
     const auto height = parse_count(view.substr(std::min(by + 1, view.size())), least, most);
     std::optional<std::array<int, 2>> size;
-    if (width && height) size = {static_cast<int>(*width), static_cast<int>(*height)};
+    if (width && height) size = {*width, *height};
     return valid(size, "--size", text, "size",
                  fmt::format("expected pixels from {} to {}, such as 1920x1080", least, most));
 }

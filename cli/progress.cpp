@@ -14,10 +14,6 @@ namespace {
 
 using std::chrono::milliseconds;
 
-milliseconds time_between_lines(const Console& console) {
-    return console.error_is_terminal() ? milliseconds{200} : milliseconds{5000};
-}
-
 std::string progress_bar(double fraction) {
     constexpr int width = 10;
     const int filled = static_cast<int>(std::clamp(fraction, 0.0, 1.0) * width);
@@ -59,13 +55,12 @@ std::string line_text(const ProgressState& state, bool with_bar) {
 
 }  // namespace
 
-ProgressLine::ProgressLine(Console& console, std::function<std::string()> text)
-    : ProgressLine(console, std::move(text), time_between_lines(console)) {}
-
 ProgressLine::ProgressLine(Console& console, std::function<std::string()> text,
-                           std::chrono::milliseconds every)
-    : console_(console), text_(std::move(text)), every_(every) {
-    if (!console.shows_notes() || console.display().json) return;
+                           std::optional<milliseconds> every)
+    : console_(console),
+      text_(std::move(text)),
+      every_(every.value_or(console.error_is_terminal() ? milliseconds{200} : milliseconds{5000})) {
+    if (!console.shows_notes() || console.json()) return;
     try {
         teller_ = std::thread([this] { tell(); });
     } catch (const std::system_error&) {  // the system grants no thread: the work goes on untold

@@ -5,6 +5,7 @@
 #include <condition_variable>
 #include <functional>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -23,11 +24,10 @@ class Console;
 class ProgressLine {
   public:
     // `text` is called from another thread until the line ends. Nothing is shown if the console
-    // shows no notes, or if results are events (--json), which say what is done.
-    ProgressLine(Console& console, std::function<std::string()> text);
-    // Uses another time between two lines.
+    // shows no notes, or if results are events (--json), which say what is done. `every` is another
+    // time between two lines.
     ProgressLine(Console& console, std::function<std::string()> text,
-                 std::chrono::milliseconds every);
+                 std::optional<std::chrono::milliseconds> every = std::nullopt);
     ProgressLine(const ProgressLine&) = delete;
     ProgressLine& operator=(const ProgressLine&) = delete;
     // Removes the line from a terminal.

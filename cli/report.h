@@ -1,4 +1,4 @@
-// This header checks and writes the folder of a report or a plan.
+// This header writes folders of reports, plans and previews, and checks those of reports and plans.
 #pragma once
 
 #include <filesystem>
@@ -24,8 +24,12 @@ inline const Option<bool> csv{"csv"};
                                                           const std::vector<std::string>& names,
                                                           bool force);
 
-// Writes all files or none. Their paths are printed as notes.
-ExitCode write_report_files(const std::vector<ReportFile>& files,
+// Writes all files into the folder, which is made if it is missing, or none.
+ExitCode write_files(const std::vector<NamedFile>& files, const std::filesystem::path& folder,
+                     Console& console);
+
+// Does the same and prints their paths as notes.
+ExitCode write_report_files(const std::vector<NamedFile>& files,
                             const std::filesystem::path& folder, Console& console);
 
 }  // namespace skybake::cli

@@ -169,23 +169,28 @@ std::vector<Diagnostic> check_report_folder(const std::filesystem::path& folder,
     return foreign_report_files(folder, names);
 }
 
-ExitCode write_report_files(const std::vector<ReportFile>& files,
-                            const std::filesystem::path& folder, Console& console) {
+ExitCode write_files(const std::vector<NamedFile>& files, const std::filesystem::path& folder,
+                     Console& console) {
     const auto made = create_output_folder(folder);
     if (const ExitCode code = console.report(made.diagnostics); !made.value) return code;
     remove_stale_temporaries_in(folder);
     const BakeProgress progress("write", console);
     AtomicFiles atomic;
-    for (const ReportFile& file : files) {
-        const auto staged = atomic.stage(folder / file.name, file.text, &progress);
+    for (const NamedFile& file : files) {
+        const auto staged =
+            atomic.stage(folder / file.name, std::string_view(file.bytes), &progress);
         if (const ExitCode code = console.report(staged.diagnostics); !staged.value) return code;
         if (*staged.value == WriteResult::interrupted) return ExitCode::interrupted;
     }
-    if (const auto diagnostics = atomic.commit(); !diagnostics.empty()) {
-        return console.report(diagnostics);
-    }
-    for (const ReportFile& file : files) console.note((folder / file.name).string() + "\n");
-    return ExitCode::done;
+    return console.report(atomic.commit());
+}
+
+ExitCode write_report_files(const std::vector<NamedFile>& files,
+                            const std::filesystem::path& folder, Console& console) {
+    const ExitCode code = write_files(files, folder, console);
+    if (code != ExitCode::done) return code;
+    for (const NamedFile& file : files) console.note((folder / file.name).string() + "\n");
+    return code;
 }
 
 Command report_command() {

@@ -57,11 +57,10 @@ bool is_below(std::string_view path, const Names& asked) {
 
 std::vector<Line> lines_below(const Recipe& recipe, const Names& asked) {
     std::vector<Line> lines;
-    for (const config::ResolvedValue& value : recipe.values) {
-        if (is_below(value.path, asked)) lines.push_back(make_line(value));
-    }
-    for (const config::ResolvedValue& value : recipe.sweep_values) {
-        if (is_below(value.path, asked)) lines.push_back(make_line(value));
+    for (const auto* values : {&recipe.values, &recipe.sweep_values}) {
+        for (const config::ResolvedValue& value : *values) {
+            if (is_below(value.path, asked)) lines.push_back(make_line(value));
+        }
     }
     return lines;
 }
@@ -213,7 +212,7 @@ ExitCode run_show(const Invocation& invocation, Console& console) {
     const bool all_layers = names.size() <= 2 && shows_layers(lines);
     const bool sums = (whole && has_atmosphere(outcome.value->parameters)) || all_layers;
     const Parameters* const sky = sums ? &outcome.value->parameters : nullptr;
-    if (console.display().json) {
+    if (console.json()) {
         console.result(values_event(recipe_name(invocation.arguments()[0]), lines, sky));
     } else {
         console.result(values_text(lines, asked) + (sky ? '\n' + depths_text(*sky) : ""));

@@ -35,7 +35,7 @@ inline const Option<int> tasks{"tasks", 0, "N", {}, read_tasks};
 // Elsewhere there is a line for each variant that was made, and one every ten seconds.
 class SweepReporter : public SweepObserver {
   public:
-    SweepReporter(const SweepJob& job, std::size_t variants, Console& console, bool json);
+    SweepReporter(const SweepJob& job, std::size_t variants, Console& console);
 
     bool cancelled() const override;
     void advance(const VariantResult& variant, std::string_view step, double fraction) override;
@@ -55,7 +55,6 @@ class SweepReporter : public SweepObserver {
     const SweepJob& job_;
     std::size_t variants_;
     Console& console_;
-    bool json_;
     const Stopwatch stopwatch_;
     mutable std::mutex mutex_;  // protects the members below
     std::size_t finished_ = 0;

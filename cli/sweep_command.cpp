@@ -30,7 +30,7 @@ namespace skybake::cli {
 
 Outcome<int> options::read_tasks(const std::string& text) {
     const auto tasks = parse_count(text, 1, config::most_variants);
-    if (tasks) return {static_cast<int>(*tasks), {}};
+    if (tasks) return {tasks, {}};
     return bad_value("--tasks", text,
                      fmt::format("it takes a number from 1 to {}", config::most_variants));
 }
@@ -41,9 +41,7 @@ Outcome<std::pair<int, int>> options::read_shard(const std::string& text) {
     const auto shard = parse_count(view.substr(0, slash), 1, config::most_variants);
     const auto shards =
         parse_count(view.substr(std::min(slash + 1, text.size())), 1, config::most_variants);
-    if (shard && shards && *shard <= *shards) {
-        return {std::pair(static_cast<int>(*shard), static_cast<int>(*shards)), {}};
-    }
+    if (shard && shards && *shard <= *shards) return {std::pair(*shard, *shards), {}};
     return bad_value("--shard", text, "it takes I/N, which is part I of N, from 1/N to N/N");
 }
 
@@ -72,10 +70,9 @@ std::vector<Diagnostic> check_rereadable(const fs::path& recipe) {
 Outcome<config::Sweep> sweep_of(const Invocation& invocation) {
     auto obstacles = check_rereadable(invocation.arguments()[0]);
     if (!obstacles.empty()) return {{}, std::move(obstacles)};
-    config::SweepOptions given;
-    given.vary = invocation[options::vary];
-    given.zip = invocation[options::zip];
-    if (invocation.has(options::sobol)) given.sobol = invocation[options::sobol];
+    const config::SweepOptions given = {.vary = invocation[options::vary],
+                                        .zip = invocation[options::zip],
+                                        .sobol = invocation.given(options::sobol)};
     auto sweep = config::load_sweep(invocation.arguments()[0], invocation[options::set], given);
     if (!sweep.value || !sweep.value->axes.empty()) return sweep;
     return usage_error("there is nothing to vary: add [sweep] to the recipe or pass --vary",
@@ -104,7 +101,7 @@ SweepJob sweep_job(const Invocation& invocation, config::Sweep sweep) {
     job.threads = invocation[options::jobs];
     job.certification = invocation[options::certify];
     job.force = invocation[options::force];
-    job.memory_limit_mib = memory_limit_mib(invocation);
+    job.memory_limit_mib = invocation.given(options::max_memory);
     return job;
 }
 
@@ -173,10 +170,6 @@ std::string paths_text(const SweepJob& job, const std::vector<VariantResult>& re
     return text;
 }
 
-std::string variants_text(int count) {
-    return fmt::format("{} variant{}", count, count == 1 ? "" : "s");
-}
-
 std::string index_paths_text(const SweepJob& job) {
     std::string text;
     for (const std::string_view name : index_names) text += (job.folder / name).string() + "\n";
@@ -191,10 +184,9 @@ std::vector<VariantResult> make(const SweepJob& job, std::vector<PlannedVariant>
     return results;
 }
 
-ExitCode dry_run(const SweepJob& job, const std::vector<PlannedVariant>& plan, bool json,
-                 Console& console) {
-    console.result(json ? sweep_event(job, plan) + planned_variant_events(job, plan)
-                        : plan_table(plan));
+ExitCode dry_run(const SweepJob& job, const std::vector<PlannedVariant>& plan, Console& console) {
+    console.result(console.json() ? sweep_event(job, plan) + planned_variant_events(job, plan)
+                                  : plan_table(plan));
     console.note(plan_note(job, plan) + intermediates_note(plan));
     std::vector<VariantResult> failed;
     for (const PlannedVariant& variant : plan) {
@@ -213,7 +205,6 @@ std::string interrupted_text(int made) {
 
 ExitCode sweep(const Invocation& invocation, const SweepJob& job, Console& console) {
     const Stopwatch stopwatch;
-    const bool json = console.display().json;
     const bool merge = invocation[options::merge];
     const bool writes_index = job.shards == 1;
     const auto obstacles = inspect_index(job.folder, job.force);
@@ -224,11 +215,11 @@ ExitCode sweep(const Invocation& invocation, const SweepJob& job, Console& conso
         return ExitCode::interrupted;
     }
     if (writes_index && all_failed(plan)) return console.report(plan[0].result.diagnostics);
-    if (invocation[options::dry_run]) return dry_run(job, plan, json, console);
-    if (json) console.result(sweep_event(job, plan));
+    if (invocation[options::dry_run]) return dry_run(job, plan, console);
+    if (console.json()) console.result(sweep_event(job, plan));
     if (!merge) console.note(plan_note(job, plan));
 
-    SweepReporter reporter(job, plan.size(), console, json);
+    SweepReporter reporter(job, plan.size(), console);
     const std::vector<VariantResult> results = make(job, std::move(plan), merge, reporter);
     if (interrupted()) {
         console.note(interrupted_text(reporter.made()));
@@ -238,13 +229,14 @@ ExitCode sweep(const Invocation& invocation, const SweepJob& job, Console& conso
         const auto failures = write_index(job.folder, job.sweep, results);
         if (!failures.empty()) return console.report(failures);
     }
-    if (json) {
+    if (console.json()) {
         console.result(swept_event(results, reporter.made(), stopwatch.seconds()));
     } else {
         console.result(paths_text(job, results) + (writes_index ? index_paths_text(job) : ""));
     }
     report_warnings(results, console);
-    console.note(fmt::format("{} baked, {}\n", variants_text(reporter.made()),
+    console.note(fmt::format("{} baked, {}\n",
+                             counted(static_cast<std::size_t>(reporter.made()), "variant"),
                              time_text(stopwatch.seconds())));
     if (writes_index) console.note(earlier_note(folders_of_earlier_sweeps(job)));
     return report_unfinished(results, console);

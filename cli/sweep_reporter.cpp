@@ -16,10 +16,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string plural(std::size_t count, std::string_view what) {
-    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-}
-
 std::size_t up_to_date_count(const std::vector<PlannedVariant>& plan) {
     return static_cast<std::size_t>(std::ranges::count_if(plan, [](const PlannedVariant& variant) {
         return variant.result.status == VariantStatus::done;
@@ -52,8 +48,8 @@ std::string_view planned_to_string(VariantStatus status) {
 
 }  // namespace
 
-SweepReporter::SweepReporter(const SweepJob& job, std::size_t variants, Console& console, bool json)
-    : job_(job), variants_(variants), console_(console), json_(json) {
+SweepReporter::SweepReporter(const SweepJob& job, std::size_t variants, Console& console)
+    : job_(job), variants_(variants), console_(console) {
     line_.emplace(console_, [this] { return text(); });
 }
 
@@ -97,7 +93,7 @@ void SweepReporter::finished(const VariantResult& variant, bool made, double sec
         if (made) ++worked_on_;
         at_work_.clear();
     }
-    if (json_) {
+    if (console_.json()) {
         const std::string_view state = failed ? "failed" : made ? "made" : "up_to_date";
         console_.result(event_line({{"event", "variant"},
                                     {"index", variant.index},
@@ -117,24 +113,26 @@ std::string intermediates_note(const std::vector<PlannedVariant>& plan) {
     std::string text;
     for (const PlannedIntermediate& one : shared_intermediates(plan)) {
         if (one.users.size() < 2) continue;
-        text += fmt::format(
-            "made once: {} ({}, {}) for {}\n", one.need.name, time_text(one.need.seconds),
-            byte_size_text(one.need.memory_mib * 1024 * 1024), plural(one.users.size(), "variant"));
+        text += fmt::format("made once: {} ({}, {}) for {}\n", one.need.name,
+                            time_text(one.need.seconds),
+                            byte_size_text(one.need.memory_mib * 1024 * 1024),
+                            counted(one.users.size(), "variant"));
     }
     return text;
 }
 
 std::string plan_note(const SweepJob& job, const std::vector<PlannedVariant>& plan) {
     std::string text =
-        plural(static_cast<std::size_t>(config::variant_count(job.sweep)), "variant");
+        counted(static_cast<std::size_t>(config::variant_count(job.sweep)), "variant");
     if (job.shards > 1) text += fmt::format(", {} in this shard", plan.size());
     if (const std::size_t count = up_to_date_count(plan); count > 0) {
         text += fmt::format(", {} up to date", count);
     }
     std::string_view separator = "; ";
     for (const SharedAsset& shared : shared_assets(plan)) {
-        text += fmt::format("{}{} share {} (baked {})", separator, shared.variants, shared.name,
-                            shared.bakes == 1 ? "once" : plural(std::size_t(shared.bakes), "time"));
+        text +=
+            fmt::format("{}{} share {} (baked {})", separator, shared.variants, shared.name,
+                        shared.bakes == 1 ? "once" : counted(std::size_t(shared.bakes), "time"));
         separator = ", ";
     }
     return text + "\n";
@@ -223,16 +221,12 @@ std::vector<Diagnostic> unfinished(const std::vector<VariantResult>& results) {
         }
         if (count == 0) continue;
         if (count > most_named) names += fmt::format(" and {} more", count - most_named);
-        Diagnostic diagnostic;
-        diagnostic.code = "E0406";
-        diagnostic.message =
-            fmt::format("{} of {} failed: {}", count, plural(results.size(), "variant"), names);
-        if (status == VariantStatus::missing) {
-            diagnostic.message =
-                fmt::format("{} of {} {} not baked yet: {}", count,
-                            plural(results.size(), "variant"), count == 1 ? "is" : "are", names);
-        }
-        diagnostics.push_back(std::move(diagnostic));
+        const std::string_view what = status == VariantStatus::failed ? "failed"
+                                      : count == 1                    ? "is not baked yet"
+                                                                      : "are not baked yet";
+        diagnostics.push_back(
+            diagnosis("E0406", fmt::format("{} of {} {}: {}", count,
+                                           counted(results.size(), "variant"), what, names)));
     }
     return diagnostics;
 }

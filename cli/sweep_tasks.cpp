@@ -11,6 +11,7 @@
 #include "bakers/workspace/http_cache.h"
 #include "cli/events.h"
 #include "cli/sweep.h"
+#include "config/text/text.h"
 
 namespace skybake::cli {
 namespace {
@@ -90,12 +91,8 @@ int task_count(const Invocation& invocation, const SweepJob& job) {
 }  // namespace
 
 std::string shell_word(std::string_view text) {
-    bool safe = !text.empty();
-    for (const char c : text) safe = safe && is_safe_in_shells(c);
-    if (safe) return std::string(text);
-    std::string quoted = "'";
-    for (const char c : text) quoted += c == '\'' ? R"('\'')" : std::string(1, c);
-    return quoted + "'";
+    if (!text.empty() && std::ranges::all_of(text, is_safe_in_shells)) return std::string(text);
+    return fmt::format("'{}'", config::replaced(text, {{'\'', R"('\'')"}}));
 }
 
 ExitCode emit_tasks(const Invocation& invocation, const SweepJob& job, Console& console) {
@@ -111,7 +108,7 @@ ExitCode emit_tasks(const Invocation& invocation, const SweepJob& job, Console& 
         text +=
             fmt::format("{}-j {} --shard {}/{}\n", command, std::max(job.threads, 1), task, tasks);
     }
-    if (console.display().json) {
+    if (console.json()) {
         console.result(event_line(
             {{"event", "script"}, {"engine", "commands"}, {"text", text}, {"merge", merge}}));
         return ExitCode::done;

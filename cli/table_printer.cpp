@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace skybake::cli {
 namespace {
@@ -67,17 +68,6 @@ std::size_t columns_of(const std::string& cell) {
     return static_cast<std::size_t>(text_width(cell));
 }
 
-std::vector<std::size_t> column_widths(const std::vector<std::vector<std::string>>& rows) {
-    std::vector<std::size_t> widths;
-    for (const auto& row : rows) {
-        widths.resize(std::max(widths.size(), row.size()));
-        for (std::size_t i = 0; i < row.size(); ++i) {
-            widths[i] = std::max(widths[i], columns_of(row[i]));
-        }
-    }
-    return widths;
-}
-
 // Returns the first characters of a text and "…", in that many columns.
 std::string shortened(const std::string& text, std::size_t columns) {
     if (columns_of(text) <= columns) return text;
@@ -138,35 +128,43 @@ std::string time_text(double seconds) {
     return ms < 9.95 ? fmt::format("{:.2g} ms", ms) : fmt::format("{:.0f} ms", ms);
 }
 
+std::string counted(std::size_t count, std::string_view noun) {
+    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+// Returns 0 for a column that was dropped.
+std::vector<std::size_t> TextTable::column_widths() const {
+    std::vector<std::size_t> widths;
+    for (const auto& row : rows_) {
+        widths.resize(std::max(widths.size(), row.size()));
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            if (!dropped_.contains(i)) widths[i] = std::max(widths[i], columns_of(row[i]));
+        }
+    }
+    return widths;
+}
+
 int TextTable::width() const {
+    const std::vector<std::size_t> widths = column_widths();
     std::size_t total = static_cast<std::size_t>(indent_);
-    const std::vector<std::size_t> widths = column_widths(rows_);
-    for (std::size_t i = 0; i < widths.size(); ++i) total += widths[i] + (i > 0 ? gap : 0);
+    std::size_t before = 0;
+    for (std::size_t i = 0; i < widths.size(); ++i) {
+        if (!dropped_.contains(i)) total += std::exchange(before, gap) + widths[i];
+    }
     return static_cast<int>(total);
 }
 
-void TextTable::drop_column(std::size_t column) {
-    for (auto& row : rows_) {
-        if (column < row.size()) row.erase(row.begin() + static_cast<std::ptrdiff_t>(column));
-    }
-    if (column < columns_.size()) {
-        columns_.erase(columns_.begin() + static_cast<std::ptrdiff_t>(column));
-    }
-}
-
-bool TextTable::drop_if_empty(std::size_t column) {
+void TextTable::drop_if_empty(std::size_t column) {
     const auto has_text = [column](const std::vector<std::string>& row) {
         return column < row.size() && !row[column].empty();
     };
-    if (std::ranges::count_if(rows_, has_text) > 1) return false;
-    drop_column(column);
-    return true;
+    if (std::ranges::count_if(rows_, has_text) <= 1) dropped_.insert(column);
 }
 
 // Takes characters from the widest of these columns. Returns false if none of them may lose one.
 bool TextTable::shorten_widest(std::span<const std::size_t> columns, int excess) {
     constexpr std::size_t least = 8;
-    const std::vector<std::size_t> widths = column_widths(rows_);
+    const std::vector<std::size_t> widths = column_widths();
     std::size_t widest = widths.size();
     for (const std::size_t column : columns) {
         if (column >= widths.size() || widths[column] <= least) continue;
@@ -185,34 +183,27 @@ std::string TextTable::text_within(int terminal_columns, std::span<const std::si
                                    std::span<const std::size_t> shrinkable) const {
     if (terminal_columns <= 0) return text();
     TextTable table = *this;
-    std::vector<std::size_t> shrinking(shrinkable.begin(), shrinkable.end());
-    std::vector<std::size_t> dropped;
-    const auto position = [&dropped](std::size_t column) {
-        const auto before =
-            std::ranges::count_if(dropped, [column](std::size_t other) { return other < column; });
-        return column - static_cast<std::size_t>(before);
-    };
     for (const std::size_t column : expendable) {
         if (table.width() <= terminal_columns) break;
-        table.drop_column(position(column));
-        dropped.push_back(column);
+        table.dropped_.insert(column);
     }
-    for (std::size_t& column : shrinking) column = position(column);
     while (table.width() > terminal_columns) {
-        if (!table.shorten_widest(shrinking, table.width() - terminal_columns)) break;
+        if (!table.shorten_widest(shrinkable, table.width() - terminal_columns)) break;
     }
     return table.text();
 }
 
 std::string TextTable::text() const {
-    const std::vector<std::size_t> widths = column_widths(rows_);
+    const std::vector<std::size_t> widths = column_widths();
     std::string text;
     for (const auto& row : rows_) {
         std::string line(static_cast<std::size_t>(indent_), ' ');
+        std::size_t before = 0;  // blanks
         for (std::size_t i = 0; i < row.size(); ++i) {
+            if (dropped_.contains(i)) continue;
             const std::string padding(widths[i] - columns_of(row[i]), ' ');
             const bool right = i < columns_.size() && columns_[i] == Align::right;
-            if (i > 0) line.append(gap, ' ');
+            line.append(std::exchange(before, gap), ' ');
             line += right ? padding + row[i] : row[i] + padding;
         }
         line.erase(line.find_last_not_of(' ') + 1);

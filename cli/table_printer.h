@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -25,6 +26,9 @@ int text_width(std::string_view text);
 // Spells a time with two or three digits: "2.3 ms", "48 ms", "1.25 s", "250 s".
 std::string time_text(double seconds);
 
+// Spells a number of things: "1 asset", "2 assets".
+std::string counted(std::size_t count, std::string_view noun);
+
 enum class Align { left, right };
 
 // A table consists of rows of cells. The first row is the heading if there is one. Rows may have
@@ -35,9 +39,8 @@ class TextTable {
     explicit TextTable(std::vector<Align> columns = {}, int indent = 2)
         : columns_(std::move(columns)), indent_(indent) {}
     void add_row(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
-    bool empty() const { return rows_.empty(); }
-    // Drops a column in which only the heading has a text, and returns whether it did.
-    bool drop_if_empty(std::size_t column);
+    // Drops a column in which only the heading has a text. The numbers of others stay.
+    void drop_if_empty(std::size_t column);
     std::string text() const;
 
     // Returns the text for a terminal with that many columns; 0 means no limit. A table that is too
@@ -48,13 +51,14 @@ class TextTable {
                             std::span<const std::size_t> shrinkable) const;
 
   private:
+    std::vector<std::size_t> column_widths() const;
     int width() const;
-    void drop_column(std::size_t column);
     bool shorten_widest(std::span<const std::size_t> columns, int excess);
 
     std::vector<Align> columns_;  // columns beyond these are aligned left
     int indent_;
     std::vector<std::vector<std::string>> rows_;
+    std::set<std::size_t> dropped_;  // columns
 };
 
 }  // namespace skybake::cli

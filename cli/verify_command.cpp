@@ -16,6 +16,7 @@
 #include "cli/console.h"
 #include "cli/events.h"
 #include "cli/progress.h"
+#include "cli/table_printer.h"
 #include "config/text/key_path.h"
 
 namespace skybake::cli {
@@ -44,8 +45,9 @@ std::string as_text(const VerifyReport& report) {
     }
     const std::string verdict =
         report.failures.empty() ? "all passed" : fmt::format("{} failed", report.failures.size());
-    return text + fmt::format("{} file{}, {} checks, {}\n", report.files,
-                              report.files == 1 ? "" : "s", report.checks, verdict);
+    return text + fmt::format("{}, {} checks, {}\n",
+                              counted(static_cast<std::size_t>(report.files), "file"),
+                              report.checks, verdict);
 }
 
 // Reports a recipe or a baked file that is given instead of the folder of a bake.
@@ -80,7 +82,7 @@ ExitCode run_verify(const Invocation& invocation, Console& console) {
     if (interrupted()) return ExitCode::interrupted;
     const ExitCode code = console.report(outcome.diagnostics);
     if (!outcome.value) return code;
-    console.result(console.display().json ? as_json(*outcome.value) : as_text(*outcome.value));
+    console.result(console.json() ? as_json(*outcome.value) : as_text(*outcome.value));
     return outcome.value->failures.empty() ? ExitCode::done : ExitCode::differs;
 }
 

@@ -153,8 +153,7 @@ class Watch {
     }
 
     void note_made(const char* what, double seconds) {
-        console_.note(fmt::format("{}: {} in {:.2f} s\n", (request_.output / page_name).string(),
-                                  what, seconds));
+        console_.note(fmt::format("{}: {} in {:.2f} s\n", request_.page_path(), what, seconds));
     }
 
     std::string title() const { return request_.paths[0].filename().string(); }
@@ -233,13 +232,12 @@ class Watch {
 
     bool write(PreviewPage& page) {
         page.watch_revision = state_.revision + 1;
-        std::vector<std::string> paths;
-        exit_code_ = write_preview(page, request_, console_, paths);
+        exit_code_ = write_preview(page, request_, console_);
         if (exit_code_ != ExitCode::done) return false;
         if (state_.revision == 0) {
-            console_.result(console_.display().json
-                                ? event_line({{"event", "watching"}, {"page", paths.back()}})
-                                : paths.back() + "\n");
+            const std::string path = request_.page_path();
+            console_.result(console_.json() ? event_line({{"event", "watching"}, {"page", path}})
+                                            : path + "\n");
         }
         state_.revision = page.watch_revision;
         shown_ = page;

@@ -12,13 +12,6 @@
 namespace skybake {
 namespace {
 
-// A step between ticks: `mantissa` times `unit`.
-struct Step {
-    int mantissa = 1;
-    double unit = 1;
-    double value() const { return mantissa * unit; }
-};
-
 // Returns steps from about `range` down to a ten-thousandth of it, the coarsest first.
 std::vector<double> steps_within(double range, AxisTicks kind) {
     std::vector<double> steps;
@@ -31,8 +24,8 @@ std::vector<double> steps_within(double range, AxisTicks kind) {
     const int decade = static_cast<int>(std::floor(std::log10(range)));
     for (int k = decade; k >= decade - 4; --k) {
         for (const int mantissa : {5, 2, 1}) {
-            const Step step{mantissa, std::pow(10.0, k)};
-            if (step.value() <= range) steps.push_back(step.value());
+            const double step = mantissa * std::pow(10.0, k);
+            if (step <= range) steps.push_back(step);
         }
     }
     return steps;
@@ -173,7 +166,7 @@ std::vector<double> round_numbers_about(double low, double high) {
     const int last = static_cast<int>(std::ceil(std::log10(high))) + 1;
     for (int decade = first; decade <= last; ++decade) {
         for (const int mantissa : {1, 2, 5}) {
-            numbers.push_back(Step{mantissa, std::pow(10.0, decade)}.value());
+            numbers.push_back(mantissa * std::pow(10.0, decade));
         }
     }
     return numbers;

@@ -126,11 +126,9 @@ Drawing on_dark_paper(Drawing drawing) {
             darken(text->style.colour);
         }
     }
-    Drawing result = drawing;
-    result.items.clear();
-    result.fill(0, 0, drawing.width, drawing.height, dark_paper_colour);
-    result.items.insert(result.items.end(), drawing.items.begin(), drawing.items.end());
-    return result;
+    drawing.fill(0, 0, drawing.width, drawing.height, dark_paper_colour);
+    std::ranges::rotate(drawing.items, drawing.items.end() - 1);  // below all others
+    return drawing;
 }
 
 std::string svg_of(const Drawing& drawing, std::string_view comment) {

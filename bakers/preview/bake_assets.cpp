@@ -74,7 +74,7 @@ class PreviewBake {
                 const BakeStages& stages)
         : recipe_(recipe),
           options_(options),
-          memory_(memory),
+          memory_(memory != nullptr ? *memory : own_memory_),
           stages_(stages),
           own_intermediates_(options.held_voxel_bytes) {
         if (options_.intermediates == nullptr) options_.intermediates = &own_intermediates_;
@@ -84,7 +84,7 @@ class PreviewBake {
         shown_.title = title;
         shown_.recipe = recipe_;
         diagnostics_ = unused_keys(recipe_);
-        if (memory_ != nullptr) memory_->ready.clear();
+        memory_.ready.clear();
         const auto expected = options_.intermediates->expect(
             needs_of(recipe_.parameters, bakes, options_.certification));
         for (const Bake& bake : bakes) {
@@ -102,15 +102,14 @@ class PreviewBake {
   private:
     // Keeps the finished assets for the next bake.
     Outcome<PreviewAssets> interrupted() {
-        if (memory_ != nullptr) memory_->unfinished = std::move(fresh_memory_);
+        memory_.unfinished = std::move(fresh_memory_);
         return {};
     }
 
     void remember() {
-        if (memory_ == nullptr) return;
-        if (memory_->keeps_all) fresh_memory_.merge(memory_->assets);
-        memory_->assets = std::move(fresh_memory_);
-        memory_->unfinished.clear();
+        if (memory_.keeps_all) fresh_memory_.merge(memory_.assets);
+        memory_.assets = std::move(fresh_memory_);
+        memory_.unfinished.clear();
     }
 
     bool add(const Bake& bake) {
@@ -125,27 +124,26 @@ class PreviewBake {
         return true;
     }
 
-    // Returns the identity of an asset. Its key is empty without a memo, or if an input cannot be
-    // read; the bake reports that.
+    // Returns the identity of an asset. Its key is empty if an input cannot be read; the bake reports
+    // that.
     AssetIdentity identity_of(const Bake& bake, Certification certification) const {
-        if (memory_ == nullptr) return {};
         auto identity = asset_identity(recipe_, bake, certification);
         return identity.value ? std::move(*identity.value) : AssetIdentity();
     }
 
     // Adds an asset from files that were baked before. Returns false if there are none.
     bool add_ready_made(const Bake& bake) {
-        if (memory_ == nullptr || memory_->sources.empty()) return false;
+        if (memory_.sources.empty()) return false;
         for (const Certification certification :
              {Certification::full, Certification::quick, Certification::off}) {
             if (certification == Certification::off && options_.certification != certification)
                 continue;
             const std::string key = identity_of(bake, certification).key;
-            for (AssetSource* source : memory_->sources) {
+            for (AssetSource* source : memory_.sources) {
                 const auto ready = source->find(key);
                 if (!ready) continue;
                 if (add_ready(*ready, bake.name, shown_)) {
-                    memory_->ready.push_back(bake.name);
+                    memory_.ready.push_back(bake.name);
                     return true;
                 }
                 source->reject(*ready);
@@ -156,7 +154,7 @@ class PreviewBake {
 
     const PreviewAsset* remembered(const std::string& key) const {
         if (key.empty()) return nullptr;
-        for (const auto* assets : {&memory_->assets, &memory_->unfinished}) {
+        for (const auto* assets : {&memory_.assets, &memory_.unfinished}) {
             if (const auto known = assets->find(key); known != assets->end()) return &known->second;
         }
         return nullptr;
@@ -171,19 +169,19 @@ class PreviewBake {
         shown_.assets.push_back(baked.value->is_table()
                                     ? table_asset(*baked.value, timing)
                                     : volume_asset(*baked.value, timing, options_, shown_.notes));
-        if (memory_ != nullptr && memory_->cache != nullptr && baked.value->is_table() &&
-            !options_.cancelled()) {
+        if (memory_.cache != nullptr && baked.value->is_table() && !options_.cancelled()) {
             ManifestAsset entry = describe_with_files(*baked.value);
             entry.timing = timing;
             sign(identity, entry);
-            memory_->cache->offer(*baked.value, std::move(entry), options_.threads);
+            memory_.cache->offer(*baked.value, std::move(entry), options_.threads);
         }
         return true;
     }
 
     const Recipe& recipe_;
     BakeOptions options_;
-    AssetMemo* memory_;
+    AssetMemo own_memory_;
+    AssetMemo& memory_;
     const BakeStages& stages_;
     Intermediates own_intermediates_;
     int stage_ = 0;

@@ -12,6 +12,7 @@
 #include "bakers/assets/registry/registry.h"
 #include "bakers/render/sun_position.h"
 #include "config/recipe/preview_section.h"
+#include "config/text/text.h"
 
 namespace skybake {
 namespace {
@@ -106,12 +107,6 @@ struct GivenOption {
     bool given = false;
 };
 
-Diagnostic unused_option(std::string name, std::string_view reason) {
-    std::ranges::replace(name, '_', '-');
-    return option_fault(fmt::format("no picture of this preview uses --{}", name),
-                        std::string(reason));
-}
-
 // Whether a voxel at the tile's sides has at least a twentieth of the greatest density.
 bool reaches_sides(const PreviewAsset& volume) {
     const int width = volume.entry.size[0];
@@ -143,24 +138,20 @@ Outcome<PreviewOptions> completed(PreviewOptions options, const Recipe* recipe,
                                   const LitPictures& lit) {
     const bool by_angles = !options.sun_elevations_deg.empty() || options.sun_azimuth_deg;
     if (options.at && by_angles) {
-        return option_fault("--at excludes --sun-elevation and --sun-azimuth",
-                            "the time and the place say where the sun stands");
+        return diagnosis("E0001", "--at excludes --sun-elevation and --sun-azimuth",
+                         "the time and the place say where the sun stands");
     }
     const bool place_is_asked = options.place.has_value();
     if (recipe != nullptr && recipe->preview) take_section(*recipe->preview, lit, options);
     if (options.at && !options.place) {
-        return option_fault("--at needs a place",
-                            "give --place 47.4,8.5, or latitude and longitude in [preview]");
+        return diagnosis("E0001", "--at needs a place",
+                         "give --place 47.4,8.5, or latitude and longitude in [preview]");
     }
     if (place_is_asked && !options.at) {
-        return option_fault("--place needs a time", "give --at \"2026-06-21 18:30\"");
+        return diagnosis("E0001", "--place needs a time", "give --at \"2026-06-21 18:30\"");
     }
     if (options.at) place_sun(lit.clouds, options);
     return {std::move(options), {}};
-}
-
-Diagnostic option_fault(std::string message, std::string label) {
-    return diagnosis("E0001", std::move(message), std::move(label));
 }
 
 LitPictures lit_pictures_of(std::span<const Bake> bakes) {
@@ -197,9 +188,11 @@ std::vector<Diagnostic> unused_options(const LitPictures& lit, const PreviewOpti
     std::vector<Diagnostic> problems;
     for (const GivenOption& option : all) {
         const std::string_view reason = config::why_unused(option.name, pictures);
-        if (option.given && !reason.empty()) {
-            problems.push_back(unused_option(std::string(option.name), reason));
-        }
+        if (!option.given || reason.empty()) continue;
+        const std::string name = config::replaced(option.name, {{'_', "-"}});
+        problems.push_back(diagnosis("E0001",
+                                     fmt::format("no picture of this preview uses --{}", name),
+                                     std::string(reason)));
     }
     return problems;
 }
@@ -223,10 +216,7 @@ std::vector<Diagnostic> unused_keys(const Recipe& recipe) {
 
 std::optional<Diagnostic> camera_above_air(const PreviewAssets& assets,
                                            const PreviewOptions& options) {
-    if (!options.altitude_m || !assets.recipe || assets.of_kind("transmittance") == nullptr ||
-        assets.of_kind("multiple_scattering") == nullptr) {
-        return std::nullopt;
-    }
+    if (!options.altitude_m || !lit_pictures_of(assets).sky) return std::nullopt;
     const config::Atmosphere& atmosphere = assets.recipe->parameters.atmosphere;
     const double top_m = atmosphere.top_radius.meters - atmosphere.ground_radius.meters;
     if (*options.altitude_m <= top_m) return std::nullopt;

@@ -32,9 +32,6 @@ Outcome<PreviewOptions> completed(PreviewOptions options, const Recipe* recipe,
 LitPictures lit_pictures_of(std::span<const Bake> bakes);
 LitPictures lit_pictures_of(const PreviewAssets& assets);
 
-// Makes an E0001: what is wrong with the options, and what is meant or allowed.
-[[nodiscard]] Diagnostic option_fault(std::string message, std::string label);
-
 // Returns E0001 for each given option that no picture uses.
 [[nodiscard]] std::vector<Diagnostic> unused_options(const LitPictures& lit,
                                                      const PreviewOptions& options);

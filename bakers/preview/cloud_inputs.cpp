@@ -14,28 +14,31 @@
 #include "config/assets/cloud_volume.h"
 #include "config/assets/occupancy.h"
 #include "config/sections/frames.h"
+#include "config/text/mapped.h"
 
 namespace skybake {
 
 namespace {
 
+template <class Section>
+const Section* section_named(const Parameters& parameters, const std::string& name) {
+    const auto bake = std::ranges::find(parameters.bakes, name, &Bake::name);
+    return bake != parameters.bakes.end() ? bake->find<Section>() : nullptr;
+}
+
 // Returns the bake of a frame of clouds, or null.
 const CloudVolumeBake* frame_bake(const PreviewAssets& assets, const PreviewAsset& asset) {
     if (!assets.recipe || asset.voxels.empty()) return nullptr;
-    for (const Bake& bake : assets.recipe->parameters.bakes) {
-        const auto* volume = bake.find<CloudVolumeBake>();
-        if (volume != nullptr && bake.name == asset.entry.name) {
-            return volume->frame > 0 && config::sequence_name(bake.name) != bake.name ? volume
-                                                                                      : nullptr;
-        }
-    }
-    return nullptr;
+    const std::string& name = asset.entry.name;
+    const auto* bake = section_named<CloudVolumeBake>(assets.recipe->parameters, name);
+    const bool is_frame = bake != nullptr && bake->frame > 0 && config::sequence_name(name) != name;
+    return is_frame ? bake : nullptr;
 }
 
 bool is_played(const PagePicture& picture) { return picture.frames_per_second > 0; }
 
-}  // namespace
-
+// Returns the place of a cloud volume among the frames that a preview shows, or nothing if it is no frame
+// or the only one that is shown.
 std::optional<SequenceFrame> sequence_frame(const PreviewAssets& assets,
                                             const PreviewAsset& asset) {
     const CloudVolumeBake* own = frame_bake(assets, asset);
@@ -52,46 +55,38 @@ std::optional<SequenceFrame> sequence_frame(const PreviewAssets& assets,
     return frame;
 }
 
+}  // namespace
+
 void SequenceScenes::share_exposures(CloudPreviewInput& input) const {
     if (!input.frame) return;
-    const auto found = exposures_.find(input.frame->sequence);
-    if (found != exposures_.end()) input.exposures = found->second;
+    const auto found = std::ranges::find(sequences_, input.frame->sequence, &Sequence::name);
+    if (found != sequences_.end()) input.exposures = found->exposures;
 }
 
 void SequenceScenes::take(const SequenceFrame& frame, std::vector<PagePicture>& pictures) {
     const auto others = std::stable_partition(pictures.begin(), pictures.end(), is_played);
-    const auto [scene, is_new] = scenes_.try_emplace(frame.sequence);
-    if (is_new) {
-        order_.push_back(frame.sequence);
-        scene->second.title = frame.sequence + ", frame by frame";
-        scene->second.content = fmt::format(
+    auto sequence = std::ranges::find(sequences_, frame.sequence, &Sequence::name);
+    if (sequence == sequences_.end()) {
+        sequence = sequences_.insert(sequence, Sequence{frame.sequence, {}, {}});
+        sequence->scene.title = frame.sequence + ", frame by frame";
+        sequence->scene.content = fmt::format(
             "The pictures show {} frames of {}, which play at {:g} per second. All have the camera "
             "and the exposure of the first one.",
             frame.count, frame.sequence, frame.per_second);
-        scene->second.clouds = true;
+        sequence->scene.clouds = true;
         for (auto picture = pictures.begin(); picture != others; ++picture) {
-            exposures_[frame.sequence].push_back(picture->exposure.value_or(1));
+            sequence->exposures.push_back(picture->exposure.value_or(1));
         }
     }
-    std::move(pictures.begin(), others, std::back_inserter(scene->second.pictures));
+    std::move(pictures.begin(), others, std::back_inserter(sequence->scene.pictures));
     pictures.erase(pictures.begin(), others);
 }
 
 std::vector<PageScene> SequenceScenes::scenes() && {
-    std::vector<PageScene> all;
-    for (const std::string& name : order_) all.push_back(std::move(scenes_.at(name)));
-    return all;
+    return mapped<PageScene>(sequences_, [](Sequence& one) { return std::move(one.scene); });
 }
 
 namespace {
-
-template <class Section>
-const Section* section_named(const Parameters& parameters, const std::string& name) {
-    for (const Bake& bake : parameters.bakes) {
-        if (bake.name == name) return bake.find<Section>();
-    }
-    return nullptr;
-}
 
 const Cloud* cloud_of(const Parameters& parameters, const CloudVolumeBake* bake) {
     const auto cloud = std::ranges::find_if(
@@ -230,11 +225,6 @@ std::array<int, 3> size_of(const ManifestAsset& entry) {
     return {entry.size[0], entry.size[1], entry.size[2]};
 }
 
-std::vector<float> leaps_of(const std::array<int, 3>& size, std::vector<std::uint8_t> occupied) {
-    const auto leaps = occupancy::leap_distance({size, std::move(occupied)});
-    return {leaps.begin(), leaps.end()};
-}
-
 }  // namespace
 
 std::optional<std::vector<float>> leaps_of_grid(const PreviewAsset& grid, const OccupancyBake& bake,
@@ -246,14 +236,17 @@ std::optional<std::vector<float>> leaps_of_grid(const PreviewAsset& grid, const 
         for (float& leap : *leaps) leap = std::round(leap);  // a unorm value is a quotient by 255
         return leaps;
     }
-    std::vector<std::uint8_t> occupied;
-    if (const auto values = values_of(grid, bake, OccupancyContent::occupied)) {
-        for (const float value : *values) occupied.push_back(value > 0 ? 1 : 0);
-        return leaps_of(size, std::move(occupied));
-    }
-    if (const auto values = values_of(grid, bake, OccupancyContent::maximum)) {
-        for (const float value : *values) occupied.push_back(value > threshold ? 1 : 0);
-        return leaps_of(size, std::move(occupied));
+    for (const auto& [content, greatest_empty] :
+         {std::pair(OccupancyContent::occupied, 0.0F),
+          std::pair(OccupancyContent::maximum, threshold)}) {
+        const auto values = values_of(grid, bake, content);
+        if (!values) continue;
+        const auto occupied = [empty = greatest_empty](float value) -> std::uint8_t {
+            return value > empty ? 1 : 0;
+        };
+        const auto leaps =
+            occupancy::leap_distance({size, mapped<std::uint8_t>(*values, occupied)});
+        return std::vector<float>(leaps.begin(), leaps.end());
     }
     return std::nullopt;
 }

@@ -5,7 +5,6 @@
 // Leaps (empty-space skip distances) for a march, from a baked occupancy grid.
 #pragma once
 
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,10 +19,6 @@
 
 namespace skybake {
 
-// Returns the place of a cloud volume among the frames that a preview shows, or nothing if it is no frame
-// or the only one that is shown.
-std::optional<SequenceFrame> sequence_frame(const PreviewAssets& assets, const PreviewAsset& asset);
-
 // Gathers the lit pictures of the frames of all sequences, which come in their order.
 class SequenceScenes {
   public:
@@ -37,9 +32,12 @@ class SequenceScenes {
     std::vector<PageScene> scenes() &&;
 
   private:
-    std::vector<std::string> order_;
-    std::map<std::string, PageScene> scenes_;
-    std::map<std::string, std::vector<double>> exposures_;  // of each sun
+    struct Sequence {
+        std::string name;
+        PageScene scene;
+        std::vector<double> exposures;  // of each sun
+    };
+    std::vector<Sequence> sequences_;
 };
 
 // Gathers the input for the pictures of a cloud from the assets of a preview. For a cloud volume,

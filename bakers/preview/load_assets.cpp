@@ -155,6 +155,21 @@ std::vector<Diagnostic> add_unclaimed(const fs::path& path, PreviewAssets& shown
     return add_asset(path.parent_path(), alone(*entry.value, file), shown);
 }
 
+// Adds the plots of speed against error that an earlier `report` left in the folder, or in its
+// subfolder `report`. Files with these names that `report` has not drawn are ignored.
+void find_plots(const fs::path& folder, PreviewAssets& assets) {
+    constexpr std::uintmax_t largest_plot = std::uintmax_t{4} << 20;
+    for (const PreviewAsset& asset : assets.assets) {
+        const std::string name = asset.entry.name + ".svg";
+        for (const fs::path& place : {folder / name, folder / "report" / name}) {
+            const Outcome<std::string> text = read_file(place, largest_plot);
+            if (!text.value || !is_report_text(name, *text.value)) continue;
+            assets.plots[asset.entry.name] = *text.value;
+            break;
+        }
+    }
+}
+
 }  // namespace
 
 Outcome<PreviewAssets> load_folder(const fs::path& path, LoadedTexels texels) {
@@ -210,21 +225,6 @@ Outcome<PreviewAssets> load_files(std::span<const fs::path> files) {
     if (!recorded && files.size() == 1) add_own_recipe(shown);
     if (recorded) add_recipe(*recorded, manifest_place(files.front().parent_path()), shown);
     return {std::move(shown), std::move(warnings)};
-}
-
-// --- Plots of reports ----------------------------------------------------------------------------
-
-void find_plots(const std::filesystem::path& folder, PreviewAssets& assets) {
-    constexpr std::uintmax_t largest_plot = std::uintmax_t{4} << 20;
-    for (const PreviewAsset& asset : assets.assets) {
-        const std::string name = asset.entry.name + ".svg";
-        for (const std::filesystem::path& place : {folder / name, folder / "report" / name}) {
-            const Outcome<std::string> text = read_file(place, largest_plot);
-            if (!text.value || !is_report_text(name, *text.value)) continue;
-            assets.plots[asset.entry.name] = *text.value;
-            break;
-        }
-    }
 }
 
 }  // namespace skybake

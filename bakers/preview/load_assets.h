@@ -31,8 +31,4 @@ bool add_ready(const ReadyAsset& ready, const std::string& name, PreviewAssets& 
 // itself wrongly. Warnings are those of load_folder.
 Outcome<PreviewAssets> load_files(std::span<const std::filesystem::path> files);
 
-// Adds the plots of speed against error that an earlier `report` left in the folder, or in its
-// subfolder `report`. Files with these names that `report` has not drawn are ignored.
-void find_plots(const std::filesystem::path& folder, PreviewAssets& assets);
-
 }  // namespace skybake

@@ -47,7 +47,7 @@ struct PreviewOptions {
     bool single = false;     // shows one tile of a cloud alone, completely in the picture
     bool table_sky = false;  // clouds are lit as by a runtime with tables
     int turntable = 0;       // pictures of one tile from all around; 0: none
-    std::string note;        // for the page, on the light; empty: none
+    std::string note = {};   // for the page, on the light; empty: none
     bool draft = false;      // few pictures, small and fast
     bool live = false;       // a page that renders the assets (live/live_scene.h)
     int threads = 0;         // 0: as many as the machine has

@@ -7,7 +7,7 @@
 #include "bakers/io/files/to_string.h"
 #include "bakers/io/manifest/release.h"
 #include "bakers/preview/page_text.h"
-#include "config/sections/cloud.h"
+#include "config/text/mapped.h"
 
 namespace skybake {
 namespace {
@@ -21,8 +21,8 @@ Json to_json(const PagePicture& picture) {
             {"file", picture.name + ".png"},
             {"title", picture.title},
             {"caption", picture.caption},
-            {"width", picture.width},
-            {"height", picture.height},
+            {"width", picture.picture.width},
+            {"height", picture.picture.height},
             {"kind", kind_name(picture.kind)},
             {"sequence", picture.sequence},
             {"group", picture.group},
@@ -32,9 +32,7 @@ Json to_json(const PagePicture& picture) {
 }
 
 Json to_json(const std::vector<PagePicture>& pictures) {
-    Json json = Json::array();
-    for (const PagePicture& picture : pictures) json.push_back(to_json(picture));
-    return json;
+    return mapped<Json>(pictures, [](const PagePicture& picture) { return to_json(picture); });
 }
 
 Json plot_json(const PageAsset& asset) {
@@ -140,20 +138,18 @@ Json to_json(const PageTable& table) {
     for (const PageTable::Column& column : table.columns) {
         columns.push_back({{"title", column.title}, {"shown", column.shown}});
     }
-    Json rows = Json::array();
-    for (const PageVariant& variant : table.variants) rows.push_back(to_json(variant));
+    const auto rows =
+        mapped<Json>(table.variants, [](const PageVariant& variant) { return to_json(variant); });
     return {{"title", table.title},
             {"content", table.content},
             {"pictures", to_json(table.pictures)},
             {"columns", std::move(columns)},
-            {"rows", std::move(rows)}};
+            {"rows", rows}};
 }
 
 template <class T>
 Json array_of(const std::vector<T>& elements) {
-    Json json = Json::array();
-    for (const T& element : elements) json.push_back(to_json(element));
-    return json;
+    return mapped<Json>(elements, [](const T& element) { return to_json(element); });
 }
 
 std::string script_text(const Json& json) {
@@ -164,7 +160,7 @@ std::string script_text(const Json& json) {
 Json other_files_json(const PreviewPage& page) {
     Json json = Json::array();
     for (const std::string& name : page.retired) json.push_back({{"file", name}});
-    if (page.watch_revision > 0) json.push_back({{"file", page_swap_name}});
+    if (page.watch_revision > 0) json.push_back({{"file", swap_name_of(page)}});
     return json;
 }
 
@@ -199,16 +195,24 @@ std::string watch_element(int revision) {
 }
 
 std::string page_html(const PreviewPage& page) {
-    return filled(embedded_text("page.html"), {{"generator", html_text(generator())},
+    return filled(embedded_text("page.html"), {{"head", head_html(page, "page.css")},
                                                {"title", html_text(page.title)},
-                                               {"style", std::string(embedded_text("page.css"))},
                                                {"data", page_data(page)},
                                                {"pictures", pictures_html(page)},
                                                {"script", page_script()},
                                                {"watch", watch_element(page.watch_revision)}});
 }
 
+std::string other_files(const PreviewPage& page) { return script_text(other_files_json(page)); }
+
+const char* swap_name_of(const PreviewPage& page) {
+    return page.live_scene.empty() ? "preview_page.js" : "live_scene.js";
+}
+
 std::string page_swap_text(const PreviewPage& page) {
+    if (!page.live_scene.empty()) {
+        return fmt::format("skybakeScene({}, {});\n", page.watch_revision, page.live_scene);
+    }
     return fmt::format("skybakePage({}, {}, {});\n", page.watch_revision, page_data(page),
                        script_text(Json(pictures_html(page))));
 }

@@ -12,21 +12,9 @@
 
 namespace skybake {
 
-// A picture as a file.
-struct PagePicture {
-    std::string name;  // of the file, without ".png"
-    std::string title;
-    std::string caption;
-    int width = 0;
-    int height = 0;
+// A picture as a file. Of `picture`, only the size is kept.
+struct PagePicture : PreviewPicture {
     std::string png;  // bytes
-    PictureKind kind = PictureKind::image;
-    std::string sequence = {};            // of pictures that are shown as one that turns
-    std::string group = {};               // of pictures that are shown in one place, behind tabs
-    std::string tab = {};                 // the name of its tab
-    bool titled = false;                  // the title stands in the picture
-    double frames_per_second = 0;         // of a sequence that plays by itself; 0: it does not
-    std::optional<double> exposure = {};  // as a factor of radiance, in pictures of light
 };
 
 // An asset with its pictures.
@@ -86,13 +74,13 @@ struct PreviewPage {
 std::string base64(std::string_view bytes);
 
 // Returns the page's text. It needs no other file and no network, except that a watching page reads
-// the files page_state_name and page_swap_name beside it. The pictures are in the HTML, so a
+// the files page_state_name and swap_name_of beside it. The pictures are in the HTML, so a
 // browser without scripts shows them one below the other.
 std::string page_html(const PreviewPage& page);
 
-// The file from which a watching page takes the data and the figures of its next revision, to show
-// them in place of its own.
-inline constexpr const char* page_swap_name = "preview_page.js";
+// The file from which a watching page takes the data and the figures of its next revision, or its
+// scene, to show them in place of its own.
+const char* swap_name_of(const PreviewPage& page);
 std::string page_swap_text(const PreviewPage& page);
 
 // The state that a watching page reads from the file page_state_name.

@@ -9,11 +9,8 @@ function anchor(title) {
     return `s-${encodeURIComponent(title)}`;
 }
 
-function skyError(asset) {
-    return asset.error ? asset.error.sky : null;
-}
 function skyFigure(asset, name) {
-    const sky = skyError(asset);
+    const sky = asset.error?.sky;
     return amount(sky && sky.points > 0 ? sky[name] : null, percent);
 }
 function percent(share) {
@@ -49,7 +46,7 @@ function fact(title, value, ...more) {
 }
 function facts(asset) {
     const error = asset.error;
-    const sky = skyError(asset);
+    const sky = error?.sky;
     const type = asset.files.length > 0 ? asset.files[0].pixel_type : asset.pixel_type;
     return element('dl', {class: 'facts'},
         sky && sky.points === 0 ? fact('Sky error', 'too noisy to tell', `against ${sky.reference}`) : null,

@@ -5,24 +5,14 @@
 let tabLists = 0;
 function tabbed(label, choices) {
     const id = `tabs-${++tabLists}`;
-    const list = document.createElement('div');
-    list.className = 'tabs';
-    list.setAttribute('role', 'tablist');
-    list.setAttribute('aria-label', label);
-    const tabs = choices.map((choice, i) => {
-        const tab = document.createElement('button');
-        tab.type = 'button';
-        tab.id = `${id}-${i}`;
-        tab.setAttribute('role', 'tab');
-        tab.setAttribute('aria-controls', `${id}-panel-${i}`);
-        tab.textContent = choice.title;
-        tab.addEventListener('click', () => select(i));
-        list.append(tab);
-        choice.content.id = `${id}-panel-${i}`;
-        choice.content.setAttribute('role', 'tabpanel');
-        choice.content.setAttribute('aria-labelledby', tab.id);
-        return tab;
+    const tabs = choices.map(({title, content}, i) => {
+        content.id = `${id}-panel-${i}`;
+        content.setAttribute('role', 'tabpanel');
+        content.setAttribute('aria-labelledby', `${id}-${i}`);
+        return element('button', {type: 'button', id: `${id}-${i}`, role: 'tab', 'aria-controls': content.id,
+                                  onclick: () => select(i)}, title);
     });
+    const list = element('div', {class: 'tabs', role: 'tablist', 'aria-label': label}, ...tabs);
     function select(chosen) {
         tabs.forEach((tab, i) => {
             tab.setAttribute('aria-selected', String(i === chosen));
@@ -40,8 +30,5 @@ function tabbed(label, choices) {
         tabs[next].focus();
     });
     select(0);
-    const whole = document.createElement('div');
-    whole.className = 'tabbed';
-    whole.append(list, ...choices.map((choice) => choice.content));
-    return whole;
+    return element('div', {class: 'tabbed'}, list, ...choices.map(({content}) => content));
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -32,16 +33,15 @@ std::string filled(std::string_view form, const std::map<std::string_view, std::
     }
 }
 
+std::string head_html(const PreviewPage& page, std::string_view style) {
+    return filled(embedded_text("head.html"), {{"generator", html_text(generator())},
+                                               {"title", html_text(page.title)},
+                                               {"style", std::string(embedded_text(style))}});
+}
+
 std::string_view kind_name(PictureKind kind) {
-    switch (kind) {
-        case PictureKind::scene:
-            return "scene";
-        case PictureKind::plot:
-            return "plot";
-        case PictureKind::image:
-            break;
-    }
-    return "image";
+    constexpr std::array<std::string_view, 3> names = {"image", "scene", "plot"};
+    return names[static_cast<std::size_t>(kind)];
 }
 
 namespace {
@@ -64,8 +64,8 @@ std::string figure_html(const PagePicture& picture, const std::string& file,
         "<figure><img class=\"{}\" data-file=\"{}\" alt=\"{}\" width=\"{}\" height=\"{}\" "
         "src=\"{}\"><figcaption><b>{}</b> {}</figcaption></figure>\n",
         kind_name(picture.kind), html_text(file),
-        html_text(picture.caption.empty() ? picture.title : picture.caption), picture.width,
-        picture.height, source, html_text(picture.title), html_text(picture.caption));
+        html_text(picture.caption.empty() ? picture.title : picture.caption), picture.picture.width,
+        picture.picture.height, source, html_text(picture.title), html_text(picture.caption));
 }
 
 // Returns the figures. Pictures of a sequence stay in their files; a new revision of a page asks for
@@ -86,14 +86,16 @@ std::string figures_html(const std::vector<PagePicture>& pictures, int revision)
 }  // namespace
 
 PagePicture report_plot(const PageAsset& asset) {
-    return {asset.entry.name + "_report",
-            "Speed against error",
-            "The plot shows what accuracy costs: the time of the bake against its error, for many "
-            "variants.",
-            svg_extent(asset.plot_svg, "width"),
-            svg_extent(asset.plot_svg, "height"),
-            "",
-            PictureKind::plot};
+    PagePicture plot;
+    plot.name = asset.entry.name + "_report";
+    plot.title = "Speed against error";
+    plot.caption =
+        "The plot shows what accuracy costs: the time of the bake against its error, for many "
+        "variants.";
+    plot.picture.width = svg_extent(asset.plot_svg, "width");
+    plot.picture.height = svg_extent(asset.plot_svg, "height");
+    plot.kind = PictureKind::plot;
+    return plot;
 }
 
 std::string pictures_html(const PreviewPage& page) {

@@ -26,6 +26,12 @@ std::string safe_in_script(std::string_view json);
 // Returns the template with each {{name}} replaced. Replacement is not repeated within the values.
 std::string filled(std::string_view form, const std::map<std::string_view, std::string>& values);
 
+// Lists the files beside the page that are not its pictures, as JSON for a script element.
+std::string other_files(const PreviewPage& page);
+
+// Returns the beginning of a page, up to its body, with the style of that file.
+std::string head_html(const PreviewPage& page, std::string_view style);
+
 // Returns the script of a page that follows a recipe; nothing for revision 0.
 std::string watch_element(int revision);
 

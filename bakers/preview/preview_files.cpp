@@ -12,9 +12,14 @@
 #include "bakers/io/files/output_folder.h"
 #include "bakers/math/parallel.h"
 #include "bakers/preview/page_text.h"
+#include "config/text/mapped.h"
 
 namespace skybake {
+namespace {
 
+// Returns a safe file name for a name from a manifest, which may be anything ("../../.profile").
+// The result consists of letters, digits and `_-.`, does not name a hidden file, and is not too
+// long for file systems.
 std::string file_stem(std::string_view name) {
     constexpr std::size_t longest = 120;
     std::string stem(name.substr(0, longest));
@@ -26,6 +31,8 @@ std::string file_stem(std::string_view name) {
     if (stem.empty() || stem.front() == '.') stem.insert(stem.begin(), '_');
     return stem;
 }
+
+}  // namespace
 
 std::vector<PagePicture> PictureEncoder::encode(
     const std::string& key, const std::function<std::vector<PreviewPicture>()>& make) {
@@ -55,7 +62,7 @@ std::vector<Diagnostic> PictureEncoder::finish() {
     return std::move(problems_);
 }
 
-std::vector<PagePicture> PictureEncoder::encoded(const std::vector<PreviewPicture>& pictures) {
+std::vector<PagePicture> PictureEncoder::encoded(std::vector<PreviewPicture> pictures) {
     std::vector<Outcome<std::string>> bytes(pictures.size());
     parallel_for(static_cast<int>(pictures.size()), threads_, [&](int i) {
         const auto at = static_cast<std::size_t>(i);
@@ -68,11 +75,8 @@ std::vector<PagePicture> PictureEncoder::encoded(const std::vector<PreviewPictur
                       std::back_inserter(problems_));
             return {};
         }
-        const PreviewPicture& picture = pictures[i];
-        result.push_back({picture.name, picture.title, picture.caption, picture.picture.width,
-                          picture.picture.height, std::move(*bytes[i].value), picture.kind,
-                          picture.sequence, picture.group, picture.tab, picture.titled,
-                          picture.frames_per_second, picture.exposure});
+        pictures[i].picture.rgb = {};
+        result.push_back({std::move(pictures[i]), std::move(*bytes[i].value)});
     }
     return result;
 }
@@ -89,15 +93,14 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-// The file from which a page that follows a recipe takes what has changed.
-constexpr const char* live_scene_name = "live_scene.js";
-
 void append(const std::vector<PagePicture>& pictures, std::vector<const PagePicture*>& all) {
     for (const PagePicture& picture : pictures) all.push_back(&picture);
 }
 
-std::vector<const PagePicture*> pictures_of(const PreviewPage& page) {
+// Returns the pictures that are files of their own. A live page has none.
+std::vector<const PagePicture*> written_pictures(const PreviewPage& page) {
     std::vector<const PagePicture*> all;
+    if (!page.live_scene.empty()) return all;
     for (const PageTable& table : page.tables) {
         append(table.pictures, all);
         for (const PageVariant& variant : table.variants) {
@@ -119,27 +122,18 @@ std::string shaders_json() {
     return safe_in_script(shaders.dump());
 }
 
-// Lists the files beside the page, as pages of pictures list theirs.
-std::string files_json(const PreviewPage& page) {
-    Json files = Json::array();
-    for (const std::string& name : page.retired) files.push_back({{"file", name}});
-    if (page.watch_revision > 0) files.push_back({{"file", live_scene_name}});
-    return safe_in_script(files.dump(-1, ' ', false, Json::error_handler_t::replace));
-}
-
 // Returns a page that renders a scene while one flies through it: one HTML file that contains everything
 // it shows. Where the browser cannot, it shows the pictures of the page. It needs no other file and no
-// network, except that a page that follows a recipe reads the files page_state_name and live_scene_name
+// network, except that a page that follows a recipe reads the files page_state_name and swap_name_of
 // beside it.
 std::string live_html(const PreviewPage& page) {
     return filled(embedded_text("live.html"),
-                  {{"generator", html_text(generator())},
+                  {{"head", head_html(page, "live.css")},
                    {"title", html_text(page.title)},
-                   {"style", std::string(embedded_text("live.css"))},
                    {"pictures", pictures_html(page)},
                    {"shaders", shaders_json()},
                    {"scene", safe_in_script(page.live_scene)},
-                   {"files", files_json(page)},
+                   {"files", other_files(page)},
                    {"renderer", std::string(embedded_text("live_diffuse.js")) +
                                     std::string(embedded_text("live_clouds.js")) +
                                     std::string(embedded_text("live_renderer.js"))},
@@ -147,40 +141,22 @@ std::string live_html(const PreviewPage& page) {
                    {"watch", watch_element(page.watch_revision)}});
 }
 
-// Returns the files of such a page, itself as the last.
-std::vector<PreviewFile> live_files(const PreviewPage& page) {
-    std::vector<PreviewFile> files;
-    if (page.watch_revision > 0) {
-        files.push_back({live_scene_name, fmt::format("skybakeScene({}, {});\n",
-                                                      page.watch_revision, page.live_scene)});
-    }
-    files.push_back({page_name, live_html(page)});
-    return files;
-}
-
-std::vector<std::string> live_file_names(const PreviewPage& page) {
-    if (page.watch_revision == 0) return {page_name};
-    return {live_scene_name, page_name};
-}
-
 }  // namespace
 
-std::vector<PreviewFile> preview_files(const PreviewPage& page) {
-    if (!page.live_scene.empty()) return live_files(page);
-    std::vector<PreviewFile> files;
-    for (const PagePicture* picture : pictures_of(page)) {
+std::vector<NamedFile> preview_files(const PreviewPage& page) {
+    std::vector<NamedFile> files;
+    for (const PagePicture* picture : written_pictures(page)) {
         files.push_back({picture->name + ".png", picture->png});
     }
-    if (page.watch_revision > 0) files.push_back({page_swap_name, page_swap_text(page)});
-    files.push_back({page_name, page_html(page)});
+    if (page.watch_revision > 0) files.push_back({swap_name_of(page), page_swap_text(page)});
+    files.push_back({page_name, page.live_scene.empty() ? page_html(page) : live_html(page)});
     return files;
 }
 
 std::vector<std::string> preview_file_names(const PreviewPage& page) {
-    if (!page.live_scene.empty()) return live_file_names(page);
-    std::vector<std::string> names;
-    for (const PagePicture* picture : pictures_of(page)) names.push_back(picture->name + ".png");
-    if (page.watch_revision > 0) names.emplace_back(page_swap_name);
+    auto names = mapped<std::string>(
+        written_pictures(page), [](const PagePicture* picture) { return picture->name + ".png"; });
+    if (page.watch_revision > 0) names.emplace_back(swap_name_of(page));
     names.emplace_back(page_name);
     return names;
 }

@@ -12,14 +12,10 @@
 
 #include "bakers/plot/drawing.h"
 #include "bakers/preview/page.h"
+#include "bakers/report/report_files.h"
 #include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
-
-// Returns a safe file name for a name from a manifest, which may be anything ("../../.profile").
-// The result consists of letters, digits and `_-.`, does not name a hidden file, and is not too
-// long for file systems.
-std::string file_stem(std::string_view name);
 
 // A memo of pictures that were made before, by a key of what they depend on.
 using PicturesByKey = std::map<std::string, std::vector<PagePicture>>;
@@ -48,7 +44,7 @@ class PictureEncoder {
 
   private:
     const std::vector<PagePicture>* remembered(const std::string& key) const;
-    std::vector<PagePicture> encoded(const std::vector<PreviewPicture>& pictures);
+    std::vector<PagePicture> encoded(std::vector<PreviewPicture> pictures);
     std::string free_name(std::string_view name);
 
     int threads_;
@@ -59,13 +55,8 @@ class PictureEncoder {
     std::vector<Diagnostic> problems_;
 };
 
-struct PreviewFile {
-    std::string name;  // relative to the preview's folder
-    std::string bytes;
-};
-
 // Returns NAME.png for each picture, what a watching page shows next, and the page as the last file.
-std::vector<PreviewFile> preview_files(const PreviewPage& page);
+std::vector<NamedFile> preview_files(const PreviewPage& page);
 
 // Returns the names of these files.
 std::vector<std::string> preview_file_names(const PreviewPage& page);

@@ -13,6 +13,7 @@
 #include "bakers/io/manifest/release.h"
 #include "bakers/report/measurement.h"
 #include "config/sections/file_formats.h"
+#include "config/text/mapped.h"
 
 namespace skybake {
 namespace {
@@ -80,20 +81,17 @@ Json to_json(const ReportRow& row) {
 }
 
 Json to_json(const AssetReport& asset) {
-    Json rows = Json::array();
-    for (const ReportRow& row : asset.rows) rows.push_back(to_json(row));
-    Json json = {{"name", asset.name},
-                 {"kind", asset.kind},
-                 {"sky", asset.sky ? sky_error_json(*asset.sky) : Json(nullptr)},
-                 {"reference", asset.reference},
-                 {"scale", asset.scale},
-                 {"timing", asset.timing},
-                 {"repetitions", asset.repetitions},
-                 {"texel_points", asset.texel_points},
-                 {"lookup_points", asset.lookup_points},
-                 {"notes", asset.notes}};
-    json["rows"] = std::move(rows);
-    return json;
+    return {{"name", asset.name},
+            {"kind", asset.kind},
+            {"sky", asset.sky ? sky_error_json(*asset.sky) : Json(nullptr)},
+            {"reference", asset.reference},
+            {"scale", asset.scale},
+            {"timing", asset.timing},
+            {"repetitions", asset.repetitions},
+            {"texel_points", asset.texel_points},
+            {"lookup_points", asset.lookup_points},
+            {"notes", asset.notes},
+            {"rows", mapped<Json>(asset.rows, [](const ReportRow& row) { return to_json(row); })}};
 }
 
 constexpr std::size_t kSignLength = 512;  // the signs are within this many bytes
@@ -153,18 +151,17 @@ std::string report_csv(const std::vector<AssetReport>& assets) {
 }
 
 std::string report_json(const std::vector<AssetReport>& assets) {
-    Json list = Json::array();
-    for (const AssetReport& asset : assets) list.push_back(to_json(asset));
+    const auto list = mapped<Json>(assets, [](const AssetReport& asset) { return to_json(asset); });
     const Json report = {{"report", {{"tool", tool_name()}, {"version", release()}, {"format", 2}}},
-                         {"assets", std::move(list)}};
+                         {"assets", list}};
     return dump(report, 2) + "\n";
 }
 
 // --- The folder ---------------------------------------------------------------------------------
 
-std::vector<ReportFile> report_files(const std::vector<AssetReport>& assets) {
-    std::vector<ReportFile> files = {{"report.csv", report_csv(assets)},
-                                     {"report.json", report_json(assets)}};
+std::vector<NamedFile> report_files(const std::vector<AssetReport>& assets) {
+    std::vector<NamedFile> files = {{"report.csv", report_csv(assets)},
+                                    {"report.json", report_json(assets)}};
     for (const AssetReport& asset : assets) {
         // Without rows there is nothing to plot.
         if (!asset.rows.empty())

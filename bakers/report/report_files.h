@@ -20,13 +20,14 @@ std::string report_csv(const std::vector<AssetReport>& assets);
 // Returns one JSON object. Its keys are those of the structs in report.h.
 std::string report_json(const std::vector<AssetReport>& assets);
 
-struct ReportFile {
-    std::string name;  // relative to the report's folder
-    std::string text;
+// A file of a report, a plan or a preview, before it is written.
+struct NamedFile {
+    std::string name;  // relative to its folder
+    std::string bytes;
 };
 
 // Returns report.csv, report.json and NAME.svg for each asset.
-std::vector<ReportFile> report_files(const std::vector<AssetReport>& assets);
+std::vector<NamedFile> report_files(const std::vector<AssetReport>& assets);
 
 // Returns the names of these files, before the report is made.
 std::vector<std::string> report_file_names(const std::vector<std::string>& assets);

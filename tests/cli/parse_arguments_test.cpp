@@ -11,7 +11,7 @@ using Words = std::vector<std::string>;
 enum class Level { none, quick, full };
 
 config::Outcome<int> read_number(const std::string& text) {
-    if (const auto number = parse_count(text, 1, 9)) return {static_cast<int>(*number), {}};
+    if (const auto number = parse_count(text, 1, 9)) return {number, {}};
     return {{}, {bad_value("--number", text, "it takes a number from 1 to 9")}};
 }
 

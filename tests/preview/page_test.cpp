@@ -13,6 +13,7 @@ namespace skybake {
 namespace {
 
 using nlohmann::json;
+using namespace std::string_literals;
 
 std::size_t count(const std::string& text, const std::string& piece) {
     std::size_t found = 0;
@@ -37,7 +38,7 @@ json data_of(const std::string& html) {
 }
 
 PagePicture picture(const std::string& name) {
-    return {name, "Title of " + name, "Caption of " + name, 4, 2, std::string("\x89PNG\0\xff", 6)};
+    return {{name, "Title of " + name, "Caption of " + name, Picture(4, 2)}, "\x89PNG\0\xff"s};
 }
 
 PreviewPage page_of(const std::string& name) {
@@ -180,12 +181,12 @@ TEST(PreviewFiles, KnowTheirOwn) {
     PreviewPage page = page_of("asset");
     page.title = "\"file\":\"holiday.png\"";
     page.retired = {"older.png"};
-    const std::vector<PreviewFile> files = preview_files(page);
+    const std::vector<NamedFile> files = preview_files(page);
     const std::vector<std::string> names = preview_file_names(page);
     ASSERT_EQ(files.size(), 5u);
     EXPECT_EQ(files.back().name, "index.html");
     EXPECT_TRUE(earlier_preview_files(folder.path()).empty());
-    for (const PreviewFile& file : files) testing::write_bytes(folder / file.name, file.bytes);
+    for (const NamedFile& file : files) testing::write_bytes(folder / file.name, file.bytes);
 
     const std::vector<std::string> earlier = earlier_preview_files(folder.path());
     EXPECT_TRUE(foreign_preview_files(folder.path(), names, earlier).empty());

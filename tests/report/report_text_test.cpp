@@ -99,15 +99,15 @@ TEST(ReportSvg, IsKnownToReports) {
 
 TEST(ReportFiles, AreNamedAsAnnounced) {
     std::vector<std::string> names;
-    for (const ReportFile& file : report_files({testing::sample_report()})) {
+    for (const NamedFile& file : report_files({testing::sample_report()})) {
         names.push_back(file.name);
     }
     EXPECT_EQ(names, report_file_names({"air"}));
 }
 
 TEST(ReportFiles, KnowTheirOwn) {
-    for (const ReportFile& file : report_files({testing::sample_report()})) {
-        EXPECT_TRUE(is_report_text(file.name, file.text)) << file.name;
+    for (const NamedFile& file : report_files({testing::sample_report()})) {
+        EXPECT_TRUE(is_report_text(file.name, file.bytes)) << file.name;
         EXPECT_FALSE(is_report_text(file.name, "mine")) << file.name;
         EXPECT_FALSE(is_report_text(file.name, "")) << file.name;
     }
@@ -117,8 +117,8 @@ TEST(ReportFiles, ForeignOnesAreDiagnosed) {
     const config::testing::TemporaryFolder folder;
     const auto names = report_file_names({"air"});
     EXPECT_TRUE(foreign_report_files(folder.path(), names).empty());
-    for (const ReportFile& file : report_files({testing::sample_report()})) {
-        folder.write(file.name, file.text);
+    for (const NamedFile& file : report_files({testing::sample_report()})) {
+        folder.write(file.name, file.bytes);
     }
     EXPECT_TRUE(foreign_report_files(folder.path(), names).empty());
     folder.write("air.svg", "<svg/>");

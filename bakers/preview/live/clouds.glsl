@@ -1,8 +1,8 @@
 // Clouds, marched and lit as bakers/render/scene_view.h describes: samples of a layer lie at (k + jitter) * its step,
 // those of all layers are taken in the order of their distances, a march leaps by the grid over what is empty, and
 // others go from each lit sample towards the sun. Above this text stand the numbers of the recipe, the published
-// lookups and one function for each layer's textures (live_glsl.h). Places are in metres: x and y from the tiles'
-// corner, and z from the ground or, where a function takes a layer and p, from the layer's base.
+// lookups, cloud_library.glsl and one function for each layer's textures (live_glsl.h). Places are in metres: x and y
+// from the tiles' corner, and z from the ground or, where a function takes a layer and p, from the layer's base.
 uniform highp sampler3D share_table;
 uniform float extinction_factor, view_step[CLOUDS], sun_step[CLOUDS], sun_samples[CLOUDS], reach[CLOUDS];
 uniform vec2 fade[CLOUDS];      // the distances between which a layer fades; it does not where both are 0
@@ -12,19 +12,6 @@ const int OCTAVES = 8, ALL_OCTAVES = OCTAVES * CLOUDS;
 const float OPAQUE = 0.0009765625, SHARED_DEPTH = 0.125, SHARED_BEHIND = 0.015625;
 
 int fetches = 0;
-
-// The phase function of droplets of 12 um or of ice: Henyey-Greenstein's and Draine's functions
-// (bakers/air/cloud_phase.h). Light that is scattered n more times sees it wider by 2^-n (Wrenninge et al. 2013). u is
-// 1 - cosine.
-float henyey_greenstein(float g, float u) {
-    float b = (1.0 - g) * (1.0 - g) + 2.0 * g * u;
-    return (1.0 - g * g) / (4.0 * PI * b * sqrt(b));
-}
-float particles(vec4 phase, float u, float wide) {
-    float g = phase.y * wide, alpha = phase.z * wide, c = 1.0 - u;
-    float draine = henyey_greenstein(g, u) * (1.0 + alpha * c * c) / (1.0 + alpha * (1.0 + 2.0 * g * g) / 3.0);
-    return mix(henyey_greenstein(phase.x * wide, u), draine, phase.w);
-}
 
 bool within(int layer, vec3 p) {
     return p.z >= 0.0 && p.z <= TILE[layer].z &&
@@ -148,11 +135,8 @@ struct Samples {
     vec4 light;
 };
 // Samples lie at t = u (1 + growth u) step with u = k + jitter, and growth is the angle of a pixel
-// (bakers/march/cloud_rays.h). Returns the u of a distance.
-float samples_to(int layer, float t, float growth) {
-    float even = max(t, 0.0) / view_step[layer];
-    return 2.0 * even / (1.0 + sqrt(1.0 + 4.0 * growth * even));
-}
+// (bakers/march/cloud_rays.h). samples_to returns the u of a distance.
+float samples_to(int layer, float t, float growth) { return cloud_samples_to(t / view_step[layer], growth); }
 float sample_at(int layer, float u, float growth) { return u * (1.0 + growth * u) * view_step[layer]; }
 Samples samples_in_layer(int layer, vec3 camera, vec3 ray, float growth) {
     vec2 span = span_in_layer(layer, camera - vec3(0.0, 0.0, BASE[layer]), ray);
@@ -199,7 +183,7 @@ float march_clouds(vec3 camera, vec3 ray, vec2 noise, float pixel, out Cloud clo
     float octaves[ALL_OCTAVES], u = 0.5 * dot(ray - sun, ray - sun), through = 1.0;
     for (int i = 0; i < ALL_OCTAVES; ++i) {
         float n = float(i % OCTAVES);
-        octaves[i] = pow(0.7, n) * particles(PHASE[i / OCTAVES], u, exp2(-n));
+        octaves[i] = pow(0.7, n) * cloud_phase(PHASE[i / OCTAVES], u, exp2(-n));
     }
     Samples samples[CLOUDS];
     for (int layer = 0; layer < CLOUDS; ++layer) {

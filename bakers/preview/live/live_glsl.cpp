@@ -112,6 +112,7 @@ std::string live_cloud_glsl(const std::vector<LiveCloud>& clouds) {
         text += fmt::format("uniform highp sampler3D cloud_table_{0}, cells_table_{0};\n", i);
     }
     return text + cloud_constants(clouds) + std::string(published_lookup("clouds.glsl")) +
+           std::string(embedded_text("cloud_library.glsl")) +
            function_of_layers("float value_at(int layer, vec3 p)", clouds,
                               [](std::size_t i) {
                                   return fmt::format("cloud_density(cloud_table_{0}, p, TILE[{0}])",

@@ -14,6 +14,7 @@
 #include "bakers/preview/check_options.h"
 #include "bakers/preview/cloud_inputs.h"
 #include "bakers/preview/live/live_glsl.h"
+#include "bakers/preview/pictures/asset_pictures.h"
 #include "bakers/preview/pictures/cloud_lighting.h"
 #include "bakers/preview/runtime/runtime_library.h"
 #include "bakers/render/cloud_view.h"
@@ -25,17 +26,20 @@
 namespace skybake {
 namespace {
 
+using Json = LiveJson;
+
+// --- Clouds --------------------------------------------------------------------------------------
+
 std::vector<CloudPreviewInput> shown_inputs(const PreviewAssets& assets,
                                             const PreviewOptions& options) {
     std::vector<CloudPreviewInput> inputs = scene_input(assets, options);
-    std::erase_if(inputs,
-                  [](const CloudPreviewInput& input) { return !holds_voxels(*input.volume); });
+    std::erase_if(inputs, [](const auto& input) { return !has_all_texels(*input.volume); });
     if (options.single && inputs.size() > 1) inputs.resize(1);
     return inputs;
 }
 
 // Returns the first voxel that each copy reads, along x and y (TileVariation).
-LiveJson shift_texture(const std::vector<LiveCloud>& clouds) {
+Json shift_texture(const std::vector<LiveCloud>& clouds) {
     Image2<float> shifts(kVariedTiles, kVariedTiles * static_cast<int>(clouds.size()), 2);
     std::size_t at = 0;
     for (const LiveCloud& cloud : clouds) {
@@ -48,7 +52,7 @@ LiveJson shift_texture(const std::vector<LiveCloud>& clouds) {
     return table_texture("shift_table", "where copies of tiles begin", shifts);
 }
 
-LiveJson cloud_json(const LiveCloud& cloud, const SceneLayer& layer, double greatest_error) {
+Json cloud_json(const LiveCloud& cloud, const SceneLayer& layer, double greatest_error) {
     const CloudMedium& medium = cloud.medium;
     const CloudOptics& optics = medium.optics;
     return {{"name", cloud.volume->entry.name},
@@ -57,7 +61,7 @@ LiveJson cloud_json(const LiveCloud& cloud, const SceneLayer& layer, double grea
             {"tile", medium.extent_m},
             {"base", medium.base_m},
             {"extinction", optics.extinction_per_m},
-            {"threshold", optics.has_edge ? LiveJson(optics.threshold) : LiveJson(nullptr)},
+            {"threshold", optics.has_edge ? Json(optics.threshold) : Json(nullptr)},
             {"edge_softness", optics.edge_softness},
             {"backward", backward_share(cloud_phase(optics.particles)) / 2},
             {"step", layer.step_m},
@@ -66,12 +70,12 @@ LiveJson cloud_json(const LiveCloud& cloud, const SceneLayer& layer, double grea
             {"reach", medium.repeats ? usual_steps(medium, {}).reach_m : 1e6},
             {"farthest_reach", layer.fades ? farthest_reach_m(medium) : 0},
             {"end_slope", sine_of_degrees(kEndElevation)},
-            {"fade_from", layer.fades ? LiveJson(kFadeFrom) : LiveJson(nullptr)},
+            {"fade_from", layer.fades ? Json(kFadeFrom) : Json(nullptr)},
             {"repeats", medium.repeats}};
 }
 
-}  // namespace
-
+// Returns the clouds that a page shows: those of the picture of one sky, whose tiles vary, or the only
+// cloud, or the first one if a single tile is wanted.
 std::vector<LiveCloud> live_clouds(const PreviewAssets& assets, const PreviewOptions& options) {
     const std::vector<CloudPreviewInput> inputs = shown_inputs(assets, options);
     std::vector<LiveCloud> clouds;
@@ -86,6 +90,8 @@ std::vector<LiveCloud> live_clouds(const PreviewAssets& assets, const PreviewOpt
     return clouds;
 }
 
+// Returns the steps and the reach of each cloud and the camera, as the pictures have them: those of one
+// sky for several clouds, those of its own picture for one.
 FramedScene framed_clouds(const std::vector<LiveCloud>& clouds, int width, int height) {
     const LiveCloud& first = clouds.front();
     if (clouds.size() == 1) {
@@ -98,9 +104,9 @@ FramedScene framed_clouds(const std::vector<LiveCloud>& clouds, int width, int h
     return framed_scene(media, first.sun, width, height, first.camera);
 }
 
-LiveJson clouds_json(const std::vector<LiveCloud>& clouds, const FramedScene& scene,
-                     LiveJson& textures) {
-    LiveJson json = LiveJson::array();
+// Describes the clouds for the page's own part of the march, and adds their textures.
+Json clouds_json(const std::vector<LiveCloud>& clouds, const FramedScene& scene, Json& textures) {
+    Json json = Json::array();
     for (std::size_t i = 0; i < clouds.size(); ++i) {
         const LiveCloud& cloud = clouds[i];
         const PreviewAsset& volume = *cloud.volume;
@@ -117,22 +123,12 @@ LiveJson clouds_json(const std::vector<LiveCloud>& clouds, const FramedScene& sc
     return json;
 }
 
-namespace {
-
-using Json = LiveJson;
-
 // --- Light ---------------------------------------------------------------------------------------
 
-bool needs_air(std::string_view kind) {
-    const auto kinds = config::asset_kinds();
-    return std::any_of(kinds.begin(), kinds.end(), [kind](const config::AssetKind* row) {
-        return row->facts.name == kind && row->facts.needs_atmosphere;
-    });
-}
-
 bool read_air(const PreviewAssets& assets) {
-    return std::any_of(assets.assets.begin(), assets.assets.end(),
-                       [](const PreviewAsset& asset) { return needs_air(asset.entry.kind); });
+    return std::ranges::any_of(config::asset_kinds(), [&](const config::AssetKind* kind) {
+        return kind->facts.needs_atmosphere && assets.of_kind(kind->facts.name) != nullptr;
+    });
 }
 
 // Returns the two tables of the recipe's atmosphere, or of the preset `earth` if no asset reads its air.
@@ -244,8 +240,8 @@ Json scene_of(const PreviewAssets& assets, const PreviewOptions& options, const 
 
 Outcome<std::string> live_scene(const PreviewAssets& assets, const PreviewOptions& options) {
     if (!assets.recipe) {
-        return option_fault("--live needs the numbers of a recipe, and these files name none",
-                            "show the folder of a bake, or a recipe");
+        return diagnosis("E0001", "--live needs the numbers of a recipe, and these files name none",
+                         "show the folder of a bake, or a recipe");
     }
     std::string light_name = "the recipe's atmosphere";
     std::optional<RuntimeAir> light = runtime_air(*assets.recipe, assets, options.threads);
@@ -262,8 +258,8 @@ Outcome<std::string> live_scene(const PreviewAssets& assets, const PreviewOption
     if (!has_colours(light)) {
         return {
             {},
-            {option_fault("--live shows light of three or four channels",
-                          fmt::format("this air has {}", light ? light->medium.air.channels : 0))}};
+            {diagnosis("E0001", "--live shows light of three or four channels",
+                       fmt::format("this air has {}", light ? light->medium.air.channels : 0))}};
     }
     const Json scene = scene_of(assets, options, *light, light_name);
     return {scene.dump(-1, ' ', false, Json::error_handler_t::replace), {}};

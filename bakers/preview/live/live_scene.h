@@ -5,8 +5,6 @@
 // floats. The volume is embedded as unorm8 where that is what was baked or where halves would take
 // more than kMostHalfBytes (live_textures.h), else as halves; the scene states the greatest error
 // that this makes. All texels are compressed (zlib).
-//
-// The clouds of a live page: what is marched, as textures and as numbers.
 #pragma once
 
 #include <string>
@@ -21,8 +19,6 @@
 
 namespace skybake {
 
-struct PreviewOptions;
-
 // A cloud with all that a march through it needs.
 struct LiveCloud {
     const PreviewAsset* volume = nullptr;
@@ -32,22 +28,10 @@ struct LiveCloud {
     CameraRequest camera;
 };
 
-// Returns the clouds that a page shows: those of the picture of one sky, whose tiles vary, or the only
-// cloud, or the first one if a single tile is wanted.
-std::vector<LiveCloud> live_clouds(const PreviewAssets& assets, const PreviewOptions& options);
-
-// Returns the steps and the reach of each cloud and the camera, as the pictures have them: those of one
-// sky for several clouds, those of its own picture for one.
-FramedScene framed_clouds(const std::vector<LiveCloud>& clouds, int width, int height);
-
-// Describes the clouds for the page's own part of the march, and adds their textures.
-LiveJson clouds_json(const std::vector<LiveCloud>& clouds, const FramedScene& scene,
-                     LiveJson& textures);
-
 // Returns the scene as JSON. Where an atmosphere lacks a table that the page needs, the table is
-// baked; clouds without an atmosphere are lit by the preset `earth`. All clouds are shown in one sky
-// (see above). A cloud whose baked grid does not serve a march gets leaps from its voxels. E0001 if
-// there is no recipe to read numbers from, or the air has other than three or four channels.
+// baked; clouds without an atmosphere are lit by the preset `earth`. All clouds are shown in one sky. A
+// cloud whose baked grid does not serve a march gets leaps from its voxels. E0001 if there is no
+// recipe to read numbers from, or the air has other than three or four channels.
 Outcome<std::string> live_scene(const PreviewAssets& assets, const PreviewOptions& options);
 
 }  // namespace skybake

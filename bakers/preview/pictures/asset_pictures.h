@@ -125,8 +125,17 @@ struct GreyScale {
     double white = 1;
 };
 
-// Draws a field in grey, with sRGB numbers in proportion to the values and row 0 at the bottom.
-Picture grey(const Image2<float>& field, const GreyScale& scale);
+// Draws a field in grey, with sRGB numbers in proportion to the values and row 0 at the bottom. Its
+// longer edge has at least `smallest_edge` and at most `longest_edge` pixels.
+Picture grey(const Image2<float>& field, const GreyScale& scale = {}, int smallest_edge = 256,
+             int longest_edge = 512);
+
+// Says in a sentence which values are black and white.
+std::string scale_words(const GreyScale& scale);
+
+// Returns a picture of an asset, with whose name its own name and its title begin.
+PreviewPicture picture_of(const ManifestAsset& entry, const std::string& stem,
+                          const std::string& title, std::string caption, Picture picture);
 
 // Returns the colour of a channel's curves: red, green, blue or dark.
 std::array<std::uint8_t, 3> noise_line_colour(const std::string& channel);

@@ -14,8 +14,6 @@
 namespace skybake {
 namespace {
 
-constexpr int smallest_frame = 256;  // pixels along the longer edge of a frame
-constexpr int largest_frame = 512;
 constexpr int most_frames = 16;      // whose spectra are averaged
 constexpr double few_ranks = 0.125;  // share of the pixels that are shown as points
 
@@ -42,27 +40,20 @@ class BlueNoisePictures {
     }
 
   private:
-    void add(const std::string& stem, const std::string& title, std::string caption,
-             Picture picture) {
-        pictures_.push_back({entry_.name + "_" + stem, entry_.name + ": " + title,
-                             std::move(caption), std::move(picture)});
-    }
-
     void add_frames() {
         const Image2<float> frame = slice(volume_, 0, 2, 0);
         Image2<float> points = frame;
         for (float& value : points.texels) value = double{value} < few_ranks ? 0.0F : 1.0F;
-        std::vector<Picture> pictures = {grey(fitted(frame, smallest_frame, largest_frame), {}),
-                                         grey(fitted(points, smallest_frame, largest_frame), {})};
+        std::vector<Picture> pictures = {grey(frame), grey(points)};
         std::vector<std::string> captions = {"frame 0", "frame 0, values below 1/8"};
         if (volume_.size[2] > 1) {
-            const Image2<float> over_time = slice(volume_, 0, 1, 0);
-            pictures.push_back(grey(fitted(over_time, smallest_frame, largest_frame), {}));
+            pictures.push_back(grey(slice(volume_, 0, 1, 0)));
             captions.push_back("y = 0: x across, frames up");
         }
-        add("frames", "frames",
+        pictures_.push_back(picture_of(
+            entry_, "frames", "frames",
             "Black is 0, white is 1. The points keep apart from each other as all values do.",
-            contact_sheet(pictures, captions, 3));
+            contact_sheet(pictures, captions, 3)));
     }
 
     // Returns the power of each wave in frames, over that of white noise, with the mean in the
@@ -93,11 +84,12 @@ class BlueNoisePictures {
     }
 
     void add_power(const Image2<float>& power) {
-        add("power", "spectrum of frames",
+        pictures_.push_back(picture_of(
+            entry_, "power", "spectrum of frames",
             "The picture shows the power of waves, from none, black, to twice that of white noise, "
             "white. The mean is in the middle, half a cycle per pixel at the edges. Blue noise is "
             "dark in the middle and alike in all directions.",
-            grey(fitted(power, smallest_frame, largest_frame), {0, 2}));
+            grey(power, {0, 2})));
     }
 
     // Returns the mean power at each frequency up to half a cycle per pixel.
@@ -159,12 +151,13 @@ class BlueNoisePictures {
         std::vector<ChartLine> lines = {curve_of_frames(power)};
         if (volume_.size[2] >= 4) lines.push_back(curve_over_time());
         lines.push_back({"white noise", {0x8a, 0x8a, 0x8a}, {0, 0.5}, {1, 1}});
-        add("spectrum", "spectrum",
+        pictures_.push_back(picture_of(
+            entry_, "spectrum", "spectrum",
             fmt::format("The curves show the mean power of waves over that of white noise: of {} "
                         "frames, over all directions, and of all pixels over time.",
                         std::min(volume_.size[2], most_frames)),
             line_chart(lines, entry_.name + ": spectrum", "frequency (cycles per pixel or frame)",
-                       "power, white noise = 1", false, true));
+                       "power, white noise = 1", false, true)));
         pictures_.back().kind = PictureKind::plot;
     }
 

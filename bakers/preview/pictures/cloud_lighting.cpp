@@ -9,7 +9,6 @@
 
 #include "bakers/air/ray.h"
 #include "bakers/assets/cloud_volume/cloud_volume.h"
-#include "bakers/occupancy/cell_grid.h"
 #include "bakers/preview/bake_assets.h"
 #include "bakers/preview/cloud_inputs.h"
 #include "bakers/preview/pictures/asset_pictures.h"
@@ -103,14 +102,6 @@ std::string sky_text(const std::optional<SolvedSky>& solved) {
                   : "the sky behind is that of the tables";
 }
 
-bool holds_voxels(const PreviewAsset& asset) {
-    const ManifestAsset& entry = asset.entry;
-    if (!entry.is_volume() || entry.size.size() != 3 || entry.channels.empty()) return false;
-    return asset.voxels.size() ==
-           occupancy::count_of({entry.size[0], entry.size[1], entry.size[2]}) *
-               entry.channels.size();
-}
-
 std::optional<Cloud> cloud_as_baked(const CloudPreviewInput& input) {
     if (input.cloud == nullptr) return std::nullopt;
     if (input.volume_bake == nullptr) return *input.cloud;
@@ -138,8 +129,15 @@ LeapingMedium leaping_medium(const CloudPreviewInput& input, const Cloud& cloud,
     return result;
 }
 
-Refinement refinement_of(int width, int height) {
-    return std::int64_t{width} * height <= kSmallPixels ? Refinement::all : Refinement::thin;
+std::array<int, 2> drawn_size(const CloudPreviewInput& input) {
+    const int reduction = input.draft ? 2 : 1;
+    return {std::max(input.width / reduction, 1), std::max(input.height / reduction, 1)};
+}
+
+SceneFrame frame_of(const CloudCamera& camera, int width, int height) {
+    const bool is_small = std::int64_t{width} * height <= kSmallPixels;
+    return {width, height,     camera, is_small ? Refinement::all : Refinement::thin,
+            true,  kStepGrowth};
 }
 
 std::string samples_text(const SceneFrame& frame, int refined_pixels) {

@@ -1,6 +1,7 @@
 // Shared by lit pictures of clouds: the light, the medium with its leaps, and words of captions.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -47,9 +48,6 @@ std::string light_text(const std::optional<LightInCloud>& light);
 // Returns the words of captions about the sky behind clouds.
 std::string sky_text(const std::optional<SolvedSky>& solved);
 
-// Returns whether the asset holds as many voxels as it says.
-bool holds_voxels(const PreviewAsset& asset);
-
 // Returns the cloud with the extent of its volume.
 std::optional<Cloud> cloud_as_baked(const CloudPreviewInput& input);
 
@@ -66,8 +64,11 @@ struct LeapingMedium {
 LeapingMedium leaping_medium(const CloudPreviewInput& input, const Cloud& cloud, bool repeats,
                              int threads);
 
-// Returns which pixels of a picture get more samples.
-Refinement refinement_of(int width, int height);
+// Returns the size of lit pictures, which is half as large in a draft.
+std::array<int, 2> drawn_size(const CloudPreviewInput& input);
+
+// Returns how a lit picture of this size is marched.
+SceneFrame frame_of(const CloudCamera& camera, int width, int height);
 
 // Returns the title of the picture of one of the input's suns, and the end of the file's name.
 std::string sun_words(const CloudPreviewInput& input, const SunDirection& sun);

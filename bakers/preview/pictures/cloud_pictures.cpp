@@ -21,9 +21,7 @@ namespace {
 // Returns the views under a sun: one, or those of a turntable.
 std::vector<CloudViewSettings> views_of(const CloudPreviewInput& input, const CloudMedium& medium,
                                         const SunDirection& sun) {
-    const int reduction = input.draft ? 2 : 1;
-    const int width = std::max(input.width / reduction, 1);
-    const int height = std::max(input.height / reduction, 1);
+    const auto [width, height] = drawn_size(input);
     if (input.turntable > 0) {
         return turntable_views(medium, sun, width, height, input.camera, input.turntable);
     }
@@ -42,17 +40,8 @@ struct LitScene {
     SceneRenderer renderer;
 };
 
-SceneFrame frame_of(const CloudViewSettings& settings) {
-    return {settings.width,
-            settings.height,
-            settings.camera,
-            refinement_of(settings.width, settings.height),
-            true,
-            kStepGrowth};
-}
-
 std::string lit_caption(const LitScene& scene, const CloudViewSettings& settings,
-                        const CloudView& view, double exposure) {
+                        const SceneFrame& frame, const CloudView& view, double exposure) {
     const double pixels = static_cast<double>(settings.width) * settings.height;
     const FetchCounts& fetches = view.fetches;
     return fmt::format(
@@ -65,8 +54,8 @@ std::string lit_caption(const LitScene& scene, const CloudViewSettings& settings
         scene.lighting.name, sun_text(settings.sun.elevation_degrees),
         beside_view(settings.sun, settings.camera), sky_text(scene.sky),
         tone_text(exposure, scene.input.tone_curve), camera_text(settings.camera),
-        samples_text(frame_of(settings), view.refined_pixels), settings.step_m,
-        settings.light_step_m, light_text(scene.light), scene.leaps_name,
+        samples_text(frame, view.refined_pixels), settings.step_m, settings.light_step_m,
+        light_text(scene.light), scene.leaps_name,
         static_cast<double>(fetches.samples + fetches.light_samples) / pixels,
         static_cast<double>(fetches.cells) / pixels,
         scene.input.single ? "" : fmt::format(" {}", kCopiesText));
@@ -75,7 +64,8 @@ std::string lit_caption(const LitScene& scene, const CloudViewSettings& settings
 // Renders one view. Without `exposure`, one is chosen for this picture.
 PreviewPicture lit_picture(LitScene& scene, const CloudViewSettings& settings,
                            std::optional<double> exposure, int threads, Progress* progress) {
-    const CloudView view = scene.renderer.render(frame_of(settings), threads, progress);
+    const SceneFrame frame = frame_of(settings.camera, settings.width, settings.height);
+    const CloudView view = scene.renderer.render(frame, threads, progress);
     const Image2<float> shown = scene.lighting.tables.screen.shown(view.radiance);
     const ToneCurve curve = scene.input.tone_curve;
     if (!exposure) exposure = cloud_exposure_for(shown, curve, scene.daylight);
@@ -84,7 +74,7 @@ PreviewPicture lit_picture(LitScene& scene, const CloudViewSettings& settings,
     picture.name =
         fmt::format("{}_lit_{}", scene.input.volume->entry.name, sun_name(scene.input, scene.sun));
     picture.title = fmt::format("Lit, {}", picture.tab);
-    picture.caption = lit_caption(scene, settings, view, *exposure);
+    picture.caption = lit_caption(scene, settings, frame, view, *exposure);
     picture.picture = tone_mapped(shown, *exposure, curve);
     picture.exposure = exposure;
     picture.kind = PictureKind::scene;
@@ -196,9 +186,9 @@ void add_cells(const CloudPreviewInput& input, const CloudMedium& medium,
 }  // namespace
 
 std::vector<PreviewPicture> cloud_pictures(const CloudPreviewInput& input, int threads) {
-    const bool has_grid = input.occupancy != nullptr && holds_voxels(*input.occupancy);
+    const bool has_grid = input.occupancy != nullptr && has_all_texels(*input.occupancy);
     const std::optional<Cloud> cloud = cloud_as_baked(input);
-    if (input.volume == nullptr || !cloud || !holds_voxels(*input.volume)) {
+    if (input.volume == nullptr || !cloud || !has_all_texels(*input.volume)) {
         if (!has_grid) return {};
         return grid_pictures(*input.occupancy, input.occupancy_bake, cloud ? &*cloud : nullptr,
                              input.draft);

@@ -25,16 +25,6 @@ constexpr Rgb kFrame = {0xe8, 0x8a, 0x1a};  // around occupied cells
 constexpr Rgb kNear = {0xd6, 0xe6, 0xf2};   // an empty cell beside an occupied one
 constexpr Rgb kFar = {0x1c, 0x4f, 0x8c};    // an empty cell at the greatest distance
 
-struct Bounds {
-    double first = 0;
-    double last = 0;
-};
-
-ChartAxis linear_axis(std::string title, Bounds bounds) {
-    return {std::move(title),
-            [bounds](double t) { return bounds.first + t * (bounds.last - bounds.first); }};
-}
-
 // Returns the axes of a slice: across and up.
 std::array<std::size_t, 2> axes_of_slice(int axis) {
     if (axis == 0) return {1, 2};
@@ -44,9 +34,9 @@ std::array<std::size_t, 2> axes_of_slice(int axis) {
 
 ChartAxis axis_km(const std::array<double, 3>& extent_m, double base_m, std::size_t axis) {
     if (axis == 2) {
-        return linear_axis("altitude (km)", {base_m / 1000, (base_m + extent_m[2]) / 1000});
+        return linear_axis("altitude (km)", base_m / 1000, (base_m + extent_m[2]) / 1000);
     }
-    return linear_axis(fmt::format("{} (km)", kAxisNames[axis]), {0, extent_m[axis] / 1000});
+    return linear_axis(fmt::format("{} (km)", kAxisNames[axis]), 0, extent_m[axis] / 1000);
 }
 
 std::string place_of(const CloudMedium& medium, int axis, int at) {
@@ -308,8 +298,7 @@ std::vector<PreviewPicture> grid_pictures(const PreviewAsset& grid, const Occupa
     const VoxelView view = view_of(grid);
     const auto chart_axis = [&](std::size_t a) {
         if (cloud == nullptr) {
-            return linear_axis(fmt::format("{} (cells)", kAxisNames[a]),
-                               {0, static_cast<double>(view.size[a])});
+            return linear_axis(fmt::format("{} (cells)", kAxisNames[a]), 0, view.size[a]);
         }
         std::array<double, 3> extent_m{};
         for (std::size_t i = 0; i < 3; ++i) extent_m[i] = cloud->extent[i].meters;

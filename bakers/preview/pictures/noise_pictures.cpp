@@ -14,8 +14,6 @@
 namespace skybake {
 namespace {
 
-constexpr int smallest_tile = 256;  // pixels along the longer edge of a slice
-constexpr int largest_tile = 512;
 constexpr std::array<const char*, 3> axis_names = {"x", "y", "z"};
 
 class NoisePictures {
@@ -46,16 +44,6 @@ class NoisePictures {
         return {double{*least}, double{*most}};
     }
 
-    std::string scale_words() const {
-        return fmt::format("Black is {:.3g}, white is {:.3g}.", scale_.black, scale_.white);
-    }
-
-    void add(const std::string& stem, const std::string& title, std::string caption,
-             Picture picture) {
-        pictures_.push_back({entry_.name + "_" + stem, entry_.name + ": " + title,
-                             std::move(caption), std::move(picture)});
-    }
-
     // Names a channel and the plane of a slice: "R, x = 64".
     std::string plane_words(int channel, int axis, int at) const {
         return fmt::format("{}, {} = {}", entry_.channels[static_cast<std::size_t>(channel)],
@@ -71,8 +59,7 @@ class NoisePictures {
         std::vector<std::string> captions;
         for (int channel = 0; channel < volume_.channels; ++channel) {
             for (int axis = is_flat ? 2 : 0; axis < 3; ++axis) {
-                const Image2<float> plane = slice(volume_, channel, axis, middle(axis));
-                slices.push_back(grey(fitted(plane, smallest_tile, largest_tile), scale_));
+                slices.push_back(grey(slice(volume_, channel, axis, middle(axis)), scale_));
                 captions.push_back(plane_words(channel, axis, middle(axis)));
             }
         }
@@ -80,8 +67,8 @@ class NoisePictures {
                                        ? "Each channel is shown with y up. "
                                        : "Each row shows a channel in the middle planes across x, "
                                          "y and z. z is up in the first two, y in the last. ";
-        add("slices", "slices", planes + scale_words(),
-            contact_sheet(slices, captions, is_flat ? 2 : 3));
+        pictures_.push_back(picture_of(entry_, "slices", "slices", planes + scale_words(scale_),
+                                       contact_sheet(slices, captions, is_flat ? 2 : 3)));
     }
 
     // Adds the curves of a table with one axis, over its texture coordinate.
@@ -98,9 +85,10 @@ class NoisePictures {
             lines.push_back(std::move(line));
         }
         const bool over_decades = entry_.mapping == "phase_functions";
-        add("curves", "curves", fmt::format("These are the file's texels: {}.", entry_.content),
-            line_chart(lines, entry_.name, "u", "value", false, over_decades));
-        pictures_.back() = as_plot(std::move(pictures_.back()));
+        pictures_.push_back(
+            as_plot(picture_of(entry_, "curves", "curves",
+                               fmt::format("These are the file's texels: {}.", entry_.content),
+                               line_chart(lines, entry_.name, "u", "value", false, over_decades))));
     }
 
     void add_tiles() {
@@ -110,15 +98,16 @@ class NoisePictures {
             for (const int axis : {2, 0}) {
                 const Image2<float> plane =
                     tiled_twice(slice(volume_, channel, axis, middle(axis)));
-                tiles.push_back(grey(fitted(plane, smallest_tile, 2 * largest_tile), scale_));
+                tiles.push_back(grey(plane, scale_, 256, 1024));
                 captions.push_back(plane_words(channel, axis, middle(axis)));
             }
         }
-        add("tiled", "two by two tiles",
+        pictures_.push_back(picture_of(
+            entry_, "tiled", "two by two tiles",
             fmt::format("The tile is repeated: a seam would show as a line through the middle. The "
                         "measured seam error is {:.3g}. {}",
-                        entry_.seam_error, scale_words()),
-            contact_sheet(tiles, captions, 2));
+                        entry_.seam_error, scale_words(scale_)),
+            contact_sheet(tiles, captions, 2)));
     }
 
     void add_histogram() {
@@ -127,11 +116,11 @@ class NoisePictures {
         for (std::size_t i = 0; i < std::min(statistics.size(), entry_.channels.size()); ++i) {
             lines.push_back(histogram_line(statistics[i], entry_.channels[i]));
         }
-        add("histogram", "histogram",
+        pictures_.push_back(as_plot(picture_of(
+            entry_, "histogram", "histogram",
             "The curves show how often each value of a channel occurs; the area below a curve is "
             "the share of voxels.",
-            line_chart(lines, entry_.name + ": histogram", "value", "density", false, false));
-        pictures_.back() = as_plot(std::move(pictures_.back()));
+            line_chart(lines, entry_.name + ": histogram", "value", "density", false, false))));
     }
 
     // Returns a line with one step per bin, which goes down to 0 at both ends.
@@ -160,9 +149,6 @@ class NoisePictures {
     std::vector<PreviewPicture> pictures_;
 };
 
-constexpr int smallest_map = 256;  // pixels along the longer edge of a channel
-constexpr int largest_map = 512;
-
 // Returns how much of an asset's area has each value, with a step for each bin.
 ChartLine steps_of_histogram(const ValueStatistics& statistics, const std::string& channel) {
     ChartLine line{channel, noise_line_colour(channel), {}, {}};
@@ -182,7 +168,9 @@ ChartLine steps_of_histogram(const ValueStatistics& statistics, const std::strin
 
 }  // namespace
 
-Picture grey(const Image2<float>& field, const GreyScale& scale) {
+Picture grey(const Image2<float>& whole, const GreyScale& scale, int smallest_edge,
+             int longest_edge) {
+    const Image2<float> field = fitted(whole, smallest_edge, longest_edge);
     Picture picture(field.width, field.height);
     auto pixel = picture.rgb.begin();
     for (int y = field.height - 1; y >= 0; --y) {
@@ -194,6 +182,16 @@ Picture grey(const Image2<float>& field, const GreyScale& scale) {
         }
     }
     return picture;
+}
+
+std::string scale_words(const GreyScale& scale) {
+    return fmt::format("Black is {:.3g}, white is {:.3g}.", scale.black, scale.white);
+}
+
+PreviewPicture picture_of(const ManifestAsset& entry, const std::string& stem,
+                          const std::string& title, std::string caption, Picture picture) {
+    return {entry.name + "_" + stem, entry.name + ": " + title, std::move(caption),
+            std::move(picture)};
 }
 
 std::array<std::uint8_t, 3> noise_line_colour(const std::string& channel) {
@@ -217,23 +215,22 @@ std::vector<PreviewPicture> weather_map_pictures(const PreviewAsset& asset) {
     std::vector<ChartLine> lines;
     for (std::size_t c = 0; c < entry.channels.size(); ++c) {
         const Image2<float> plane = channel_of(map, c);
-        planes.push_back(grey(fitted(plane, smallest_map, largest_map), {}));
-        tiles.push_back(grey(fitted(tiled_twice(plane), smallest_map, largest_map), {}));
+        planes.push_back(grey(plane));
+        tiles.push_back(grey(tiled_twice(plane)));
         const ValueStatistics& statistics = entry.levels.front().statistics[c];
         captions.push_back(fmt::format("{}, mean {:.3f}", entry.channels[c], statistics.mean));
         lines.push_back(steps_of_histogram(statistics, entry.channels[c]));
     }
-    std::vector<PreviewPicture> pictures;
-    pictures.push_back({entry.name + "_channels", entry.name + ": channels",
-                        "Each channel is shown with y up. Black is 0, white is 1.",
-                        contact_sheet(planes, captions, 2)});
-    pictures.push_back({entry.name + "_tiled", entry.name + ": two by two tiles",
-                        "The tile is repeated: a seam would show as a line through the middle.",
-                        contact_sheet(tiles, captions, 2)});
-    pictures.push_back(
-        {entry.name + "_histogram", entry.name + ": histogram",
-         "The curves show what share of the texels has each value.",
-         line_chart(lines, entry.name + ": histogram", "value", "share", false, false)});
+    std::vector<PreviewPicture> pictures = {
+        picture_of(entry, "channels", "channels",
+                   "Each channel is shown with y up. Black is 0, white is 1.",
+                   contact_sheet(planes, captions, 2)),
+        picture_of(entry, "tiled", "two by two tiles",
+                   "The tile is repeated: a seam would show as a line through the middle.",
+                   contact_sheet(tiles, captions, 2)),
+        picture_of(entry, "histogram", "histogram",
+                   "The curves show what share of the texels has each value.",
+                   line_chart(lines, entry.name + ": histogram", "value", "share", false, false))};
     pictures.back().kind = PictureKind::plot;
     return pictures;
 }

@@ -29,7 +29,7 @@ std::vector<NamedLayer> layers_in_memory(const std::vector<CloudPreviewInput>& i
     std::vector<NamedLayer> layers;
     for (const CloudPreviewInput& input : inputs) {
         const std::optional<Cloud> cloud = cloud_as_baked(input);
-        if (input.volume == nullptr || !cloud || !holds_voxels(*input.volume)) continue;
+        if (input.volume == nullptr || !cloud || !has_all_texels(*input.volume)) continue;
         LeapingMedium medium = leaping_medium(input, *cloud, true, threads);
         ProgressPart solving(input.progress, "light within the clouds", 0, 0);
         std::optional<cloud_light::MarchLight> light =
@@ -91,11 +91,8 @@ PreviewPicture scene_picture(const CloudPreviewInput& input, const Lighting& lig
     for (std::size_t l = 0; l < layers.size(); ++l) {
         if (lights[l]) scene.layers[l].solved = &*lights[l];
     }
-    const int reduction = input.draft ? 2 : 1;
-    const int width = std::max(input.width / reduction, 1);
-    const int height = std::max(input.height / reduction, 1);
-    const SceneFrame frame = {width, height,     scene.camera, refinement_of(width, height),
-                              true,  kStepGrowth};
+    const auto [width, height] = drawn_size(input);
+    const SceneFrame frame = frame_of(scene.camera, width, height);
     const auto sky = solved_sky(input, lighting, scene.camera, sun, threads);
     SceneRenderer renderer(scene.layers, {lighting.medium, lighting.tables, sky ? &*sky : nullptr},
                            sun, threads);

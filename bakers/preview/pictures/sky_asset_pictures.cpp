@@ -133,8 +133,7 @@ using EnvironmentMapping = config::EnvironmentMapping;
 // Returns the axes of an environment's texels. Those of a cube and of an octahedron are no angles.
 std::array<ChartAxis, 2> environment_axes(EnvironmentMapping mapping) {
     if (mapping != EnvironmentMapping::longitude_latitude) {
-        return {ChartAxis{"u", [](double t) { return t; }},
-                ChartAxis{"1 − v", [](double t) { return t; }}};
+        return {linear_axis("u", 0, 1), linear_axis("1 − v", 0, 1)};
     }
     return {ChartAxis{"azimuth from straight ahead (deg)", [](double t) { return 360 * t - 180; },
                       AxisTicks::angles},

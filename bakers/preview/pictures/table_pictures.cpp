@@ -201,9 +201,7 @@ class TablePictures {
         return {quantity_.angle, [widest](double t) { return t * widest; }, AxisTicks::angles};
     }
     ChartAxis altitude_axis() const {
-        const double thickness = geometry_.thickness_km();
-        return {"altitude (km)", [thickness](double t) { return t * thickness; },
-                AxisTicks::decimal};
+        return linear_axis("altitude (km)", 0, geometry_.thickness_km());
     }
 
     void add(const std::string& stem, const std::string& title, std::string caption,
@@ -273,16 +271,21 @@ class TablePictures {
         return lines;
     }
 
+    void add_curves(const std::string& stem, const std::string& title, const std::string& across,
+                    const std::vector<ChartLine>& lines, const std::string& caption) {
+        add(stem, title, caption,
+            line_chart(lines, title, across, quantity_.axis, false, quantity_.logarithmic));
+        pictures_.back() = as_plot(std::move(pictures_.back()));
+    }
+
     void add_profile_over_angle() {
         const double horizon = geometry_.largest_zenith_angle(0);
         const auto lines = curves([&](double t) {
             return std::array<double, 3>{t * horizon, 0.0, t * horizon};
         });
         const std::string title = quantity_.heading + " at the ground";
-        add("ground_profile", title, "The curves show bilinear lookups at the ground, altitude 0.",
-            line_chart(lines, title, quantity_.angle, quantity_.axis, false,
-                       quantity_.logarithmic));
-        pictures_.back() = as_plot(std::move(pictures_.back()));
+        add_curves("ground_profile", title, quantity_.angle, lines,
+                   "The curves show bilinear lookups at the ground, altitude 0.");
     }
 
     void add_profile_over_altitude() {
@@ -293,11 +296,8 @@ class TablePictures {
         const std::string title =
             quantity_.heading +
             (geometry_.is_transmittance() ? " along the horizontal" : " with the sun at 90°");
-        add("altitude_profile", title,
-            "The curves show bilinear lookups at a zenith angle of 90 degrees.",
-            line_chart(lines, title, "altitude (km)", quantity_.axis, false,
-                       quantity_.logarithmic));
-        pictures_.back() = as_plot(std::move(pictures_.back()));
+        add_curves("altitude_profile", title, "altitude (km)", lines,
+                   "The curves show bilinear lookups at a zenith angle of 90 degrees.");
     }
 
     void add_texels() {
@@ -307,8 +307,7 @@ class TablePictures {
                            AxisTicks::decimal};
         const ChartAxis across =
             geometry.is_transmittance()
-                ? ChartAxis{"u: straight up on the left, the horizon on the right",
-                            [](double t) { return t; }, AxisTicks::decimal}
+                ? linear_axis("u: straight up on the left, the horizon on the right", 0, 1)
                 : ChartAxis{quantity_.angle,
                             [geometry](double t) { return geometry.zenith_angle(t, 0); },
                             AxisTicks::angles};
@@ -339,11 +338,9 @@ std::vector<PreviewPicture> table_pictures(const PreviewAsset& asset) {
                                   static_cast<std::size_t>(geometry->tables()));
         return TablePictures(first, *geometry).make();
     }
-    const auto coordinate = [](double t) { return t; };
     const Image2<float> colors = ScreenColor(asset.entry.conventions, table.channels).shown(table);
-    return {texels_picture(asset.entry, colors, exposure_for(colors),
-                           {"u", coordinate, AxisTicks::decimal},
-                           {"v", coordinate, AxisTicks::decimal})};
+    return {texels_picture(asset.entry, colors, exposure_for(colors), linear_axis("u", 0, 1),
+                           linear_axis("v", 0, 1))};
 }
 
 }  // namespace skybake

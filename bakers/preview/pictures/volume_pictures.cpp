@@ -32,10 +32,8 @@ struct DistancePictures {
 
     ChartAxis axis_of(std::size_t a) const {
         const AxisMapping& axis = asset.entry.axes[a];
-        return {fmt::format("{} (km)", std::array{"x", "y", "altitude"}[a]),
-                [first = axis.first / 1000, last = axis.last / 1000](double t) {
-                    return first + t * (last - first);
-                }};
+        return linear_axis(fmt::format("{} (km)", std::array{"x", "y", "altitude"}[a]),
+                           axis.first / 1000, axis.last / 1000);
     }
 
     PreviewPicture picture(int axis) const {
@@ -75,8 +73,6 @@ struct DistancePictures {
     }
 };
 
-constexpr int smallest_cell = 128;  // pixels along the longer edge of a frame
-constexpr int largest_cell = 256;
 constexpr int most_cells = 12;    // of the strip
 constexpr int most_played = 240;  // frames that a page plays
 
@@ -106,11 +102,7 @@ class FlipbookPictures {
     }
 
     Picture frame(int channel, int index) const {
-        return grey(fitted(slice(volume_, channel, 2, index), smallest_cell, largest_cell), scale_);
-    }
-
-    std::string scale_words() const {
-        return fmt::format("Black is {:.3g}, white is {:.3g}.", scale_.black, scale_.white);
+        return grey(slice(volume_, channel, 2, index), scale_, 128, 256);
     }
 
     void add_strip(int channel) {
@@ -122,9 +114,9 @@ class FlipbookPictures {
             cells.push_back(frame(channel, index));
             captions.push_back(fmt::format("frame {}", index));
         }
-        pictures_.push_back({fmt::format("{}_strip_{}", entry_.name, name_of(channel)),
-                             fmt::format("{}: frames of {}", entry_.name, name_of(channel)),
-                             scale_words(), contact_sheet(cells, captions, 4)});
+        pictures_.push_back(picture_of(entry_, "strip_" + name_of(channel),
+                                       "frames of " + name_of(channel), scale_words(scale_),
+                                       contact_sheet(cells, captions, 4)));
     }
 
     void add_player(int channel) {
@@ -134,7 +126,7 @@ class FlipbookPictures {
             PreviewPicture picture{
                 fmt::format("{}_{:04}", sequence, index),
                 fmt::format("{}: {} plays", entry_.name, name_of(channel)),
-                fmt::format("Frame {} of {}. {}", index, frames(), scale_words()),
+                fmt::format("Frame {} of {}. {}", index, frames(), scale_words(scale_)),
                 frame(channel, index)};
             picture.sequence = sequence;
             pictures_.push_back(std::move(picture));
@@ -163,12 +155,12 @@ class FlipbookPictures {
             }
             lines.push_back(std::move(line));
         }
-        pictures_.push_back(
-            as_plot({entry_.name + "_changes", entry_.name + ": changes",
-                     "The curves show the root mean square of the change from each frame to the "
-                     "next one, and from the last one to the first. A jump is a peak.",
-                     line_chart(lines, entry_.name + ": changes", "frame",
-                                "change to the next frame", false, false)}));
+        pictures_.push_back(as_plot(
+            picture_of(entry_, "changes", "changes",
+                       "The curves show the root mean square of the change from each frame to the "
+                       "next one, and from the last one to the first. A jump is a peak.",
+                       line_chart(lines, entry_.name + ": changes", "frame",
+                                  "change to the next frame", false, false))));
     }
 
     const ManifestAsset& entry_;

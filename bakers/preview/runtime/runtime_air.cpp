@@ -17,6 +17,15 @@
 namespace skybake {
 namespace {
 
+// Light in all channels of the tables, as GLSL.
+std::string light_glsl(const Spectrum& value, int channels) {
+    std::vector<std::string> values;
+    for (int c = 0; c < channels; ++c) {
+        values.push_back(glsl_number(value[static_cast<std::size_t>(c)]));
+    }
+    return fmt::format("Light({})", fmt::join(values, ", "));
+}
+
 // --- Layers --------------------------------------------------------------------------------------
 
 // Returns nested conditions that find the piece at an altitude h.
@@ -147,6 +156,15 @@ std::string point_glsl(const RuntimeAir& air) {
 
 // --- Tables --------------------------------------------------------------------------------------
 
+// Returns the published lookup of a table, as functions baked_NAME.
+std::string table_lookup(const RuntimeAir& air, const PreviewAsset& asset) {
+    const config::Bake& bake = config::bake_named(air.recipe->parameters, asset.entry.name);
+    return lookup_glsl(
+        baker_of(bake).lookup(air.recipe->parameters, bake,
+                              {asset.entry.mapping, asset.entry.size, asset.entry.channels.size()}),
+        glsl_name(asset.entry.name));
+}
+
 std::string sun_through_glsl(const RuntimeAir& air) {
     const std::string call = fmt::format("{}({}, h, mu)", glsl_name(air.transmittance->entry.name),
                                          table_name(air.transmittance->entry.name));
@@ -254,14 +272,6 @@ std::string light_type(const RuntimeAir& air) {
     return fmt::format("vec{}", air.medium.air.channels);
 }
 
-std::string light_glsl(const Spectrum& value, int channels) {
-    std::vector<std::string> values;
-    for (int c = 0; c < channels; ++c) {
-        values.push_back(glsl_number(value[static_cast<std::size_t>(c)]));
-    }
-    return fmt::format("Light({})", fmt::join(values, ", "));
-}
-
 std::string table_name(std::string_view asset) {
     return glsl_name(asset).substr(std::string_view("baked_").size()) + "_table";
 }
@@ -269,14 +279,6 @@ std::string table_name(std::string_view asset) {
 std::string number_function(std::string_view type, std::string_view name, std::string_view value,
                             std::string_view comment) {
     return fmt::format("// {}\n{} {}() {{ return {}; }}\n\n", comment, type, name, value);
-}
-
-std::string table_lookup(const RuntimeAir& air, const PreviewAsset& asset) {
-    const config::Bake& bake = config::bake_named(air.recipe->parameters, asset.entry.name);
-    return lookup_glsl(
-        baker_of(bake).lookup(air.recipe->parameters, bake,
-                              {asset.entry.mapping, asset.entry.size, asset.entry.channels.size()}),
-        glsl_name(asset.entry.name));
 }
 
 std::string with_textures(std::string_view text, const RuntimeAir& air,

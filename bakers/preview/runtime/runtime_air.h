@@ -40,17 +40,11 @@ std::string air_glsl(const RuntimeAir& air, const AirTextures& textures);
 std::string with_textures(std::string_view text, const RuntimeAir& air,
                           const std::vector<std::string>& names);
 
-// Returns the published lookup of a table, as functions baked_NAME.
-std::string table_lookup(const RuntimeAir& air, const PreviewAsset& asset);
-
 // "my_table" of the asset `my`: as functions are called baked_my.
 std::string table_name(std::string_view asset);
 
 // A function without arguments, which all languages have, below a comment.
 std::string number_function(std::string_view type, std::string_view name, std::string_view value,
                             std::string_view comment);
-
-// Light in all channels of the tables, as GLSL.
-std::string light_glsl(const Spectrum& value, int channels);
 
 }  // namespace skybake

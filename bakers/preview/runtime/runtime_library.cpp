@@ -252,6 +252,17 @@ std::string screen_glsl(const ScreenColor& screen, int channels) {
     return fmt::format("{}", fmt::join(terms, " +\n           "));
 }
 
+// Returns linear_srgb with examples/lookups/film.glsl, and a function that calls both.
+std::string film_glsl(const RuntimeAir& air) {
+    return linear_srgb_glsl(air) + "\n" + std::string(published_lookup("film.glsl")) +
+           fmt::format(
+               "\n// Returns what a screen shows, sRGB, of light that is multiplied by the "
+               "exposure, as previews do.\n"
+               "vec3 shown_by_film({} light) {{ return "
+               "srgb_of(film(in_gamut(linear_srgb(light)))); }}\n",
+               light_type(air));
+}
+
 }  // namespace
 
 std::optional<RuntimeAir> runtime_air(const config::Recipe& recipe, const PreviewAssets& assets,
@@ -279,16 +290,6 @@ std::string linear_srgb_glsl(const RuntimeAir& air) {
                                     air.tables.screen.words())) +
            fmt::format("vec3 linear_srgb({} light) {{\n    return {};\n}}\n", light_type(air),
                        screen_glsl(air.tables.screen, air.medium.air.channels));
-}
-
-std::string film_glsl(const RuntimeAir& air) {
-    return linear_srgb_glsl(air) + "\n" + std::string(published_lookup("film.glsl")) +
-           fmt::format(
-               "\n// Returns what a screen shows, sRGB, of light that is multiplied by the "
-               "exposure, as previews do.\n"
-               "vec3 shown_by_film({} light) {{ return "
-               "srgb_of(film(in_gamut(linear_srgb(light)))); }}\n",
-               light_type(air));
 }
 
 std::string glsl_phase(const CloudPhase& phase) {

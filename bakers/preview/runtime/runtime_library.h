@@ -21,9 +21,6 @@ bool has_colours(const std::optional<RuntimeAir>& air);
 // Returns a function linear_srgb of light in the tables' channels, with the daylight of the air as white.
 std::string linear_srgb_glsl(const RuntimeAir& air);
 
-// Returns it with examples/lookups/film.glsl, and a function that calls both.
-std::string film_glsl(const RuntimeAir& air);
-
 // The numbers of a phase function of clouds, by which shaders compute it.
 std::string glsl_phase(const CloudPhase& phase);
 
