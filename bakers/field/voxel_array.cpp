@@ -27,6 +27,14 @@ double VoxelArray::largest(std::size_t channel) const {
     return *std::ranges::max_element(values_[channel]);
 }
 
+std::vector<std::array<double, 2>> VoxelArray::ranges() const {
+    std::vector<std::array<double, 2>> ranges;
+    for (std::size_t c = 0; c < channels(); ++c) {
+        ranges.push_back({0, largest(c) > 0 ? largest(c) : 1});
+    }
+    return ranges;
+}
+
 VoxelArray read_voxels(const VoxelSource& source, const std::array<int, 3>& size, int channels,
                        const BakeOptions& options, std::string_view step) {
     VoxelArray array(size, static_cast<std::size_t>(channels));

@@ -27,6 +27,8 @@ class VoxelArray : public VoxelSource {
     std::vector<float>& channel(std::size_t c) { return values_[c]; }
     const std::vector<float>& channel(std::size_t c) const { return values_[c]; }
     double largest(std::size_t channel) const;
+    // Returns from 0 to the largest value of each channel, or to 1 where none is above 0.
+    std::vector<std::array<double, 2>> ranges() const;
 
   private:
     std::array<int, 3> size_;

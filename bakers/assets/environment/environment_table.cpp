@@ -117,7 +117,8 @@ void describe_environment(const EnvironmentBake& bake, const SkyViewCamera& came
 
 AccuracyRequest request_of_environment(const EnvironmentBake& bake,
                                        const EnvironmentLayout& layout) {
-    AccuracyRequest request = sky_table_request(layout.part_size());
+    AccuracyRequest request =
+        sky_table_request({layout.part_size().columns, layout.part_size().rows});
     // The horizon lies within a row of texels, so more rows must be measured than of sky_view.
     request.quick_search = {64, 36, 8, 6, 64};
     if (bake.has_clouds()) {

@@ -96,7 +96,7 @@ Outcome<Baked> bake(const Parameters& parameters, const IrradianceBake& asset,
 std::vector<Need> needs(const Parameters& parameters, const IrradianceBake& asset, Certification) {
     if (asset.content == config::IrradianceContent::direct) return {};
     const config::SkyOrders orders = orders_of(asset);
-    return light_needs(parameters, orders, orders != config::SkyOrders::multiple);
+    return light_needs(light_packets(parameters), orders, orders != config::SkyOrders::multiple);
 }
 
 Estimate estimate(const Parameters& parameters, const IrradianceBake& asset) {

@@ -58,8 +58,7 @@ std::vector<double> boundaries_km(double max_altitude_km, int count, const Altit
 
 // The rest of a path after `length_km`.
 ColumnPath rest_of(const Shell& shell, const ColumnPath& path, double length_km) {
-    const double altitude = altitude_along_km(shell, path.altitude_km, path.s_km, length_km);
-    return {std::clamp(altitude, 0.0, shell.thickness_km), path.s_km + length_km,
+    return {end_altitude_km(shell, {path.altitude_km, path.s_km, length_km}), path.s_km + length_km,
             path.length_km - length_km};
 }
 

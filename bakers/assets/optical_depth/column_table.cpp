@@ -28,11 +28,6 @@ double texture_coordinate_of(const RayTexels& texels, double x, int size) {
 
 constexpr double kDegreesOfRadian = 180 / std::numbers::pi;
 
-double end_altitude_km(const Shell& shell, const ColumnPath& path) {
-    return std::clamp(altitude_along_km(shell, path.altitude_km, path.s_km, path.length_km), 0.0,
-                      shell.thickness_km);
-}
-
 // Moves a path off the horizon. If it stays above the ground and climbs at its end, the end keeps its
 // altitude.
 ColumnPath path_off_the_horizon(const Shell& shell, ColumnPath path, bool ends_above) {

@@ -30,12 +30,10 @@ Outcome<Baked> bake_of_light(const Light& light, const std::string& name,
     return make(light);
 }
 
-// Return the solved light of an asset, of all packets of wavelengths or of one, which it needs unless it shows light that was scattered
-// once, and the table of sunlight if it integrates rows of rays (sky_row.h).
-std::vector<Need> light_needs(const Parameters& parameters, config::SkyOrders orders,
-                              bool reads_sunlight);
-std::vector<Need> light_needs(const config::Atmosphere& atmosphere, config::SkyOrders orders,
-                              bool reads_sunlight);
+// Returns the solved light of these packets of wavelengths, which an asset needs unless it shows light
+// that was scattered once, and the table of sunlight if it integrates rows of rays (sky_row.h).
+std::vector<Need> light_needs(const std::vector<config::Atmosphere>& packets,
+                              config::SkyOrders orders, bool reads_sunlight);
 
 // For a table of radiance around a camera (1/sr): the number of points that certify it, and its
 // conventions, reference and scale of errors. The table already has its channels' names.

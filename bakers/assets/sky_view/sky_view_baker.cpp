@@ -58,7 +58,7 @@ Outcome<Baked> bake(const Parameters& parameters, const SkyViewBake& asset,
 
 std::vector<Need> needs(const Parameters& parameters, const SkyViewBake& asset, Certification) {
     if (is_from_strips(asset)) return {};
-    return light_needs(parameters, asset.orders, true);
+    return light_needs(light_packets(parameters), asset.orders, true);
 }
 
 Estimate estimate(const Parameters& parameters, const SkyViewBake& asset) {
