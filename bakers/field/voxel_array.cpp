@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "bakers/field/baked.h"
+#include "bakers/field/pixel_type.h"
 #include "bakers/math/parallel.h"
 
 namespace skybake {
@@ -50,6 +52,18 @@ VoxelArray read_voxels(const VoxelSource& source, const std::array<int, 3>& size
         source.fill(box, targets);
     });
     return array;
+}
+
+void read_channel(const Baked& volume, std::size_t channel, const BakeOptions& options, float* to) {
+    const Level& level = volume.levels.front();
+    const VoxelBox slice = {{}, {level.size[0], level.size[1], 1}};
+    for_each_tile(level.size[2], options, "voxels", [&](int z) {
+        float* const out = to + z * slice.count();
+        std::vector<float*> channels(volume.channel_names.size(), nullptr);
+        channels[channel] = out;
+        level.voxels->fill({{0, 0, z}, slice.size}, channels);
+        round_values(out, static_cast<std::size_t>(slice.count()), volume.pixel_type);
+    });
 }
 
 }  // namespace skybake

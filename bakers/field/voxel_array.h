@@ -11,6 +11,8 @@
 
 namespace skybake {
 
+struct Baked;
+
 class VoxelArray : public VoxelSource {
   public:
     // All voxels are 0.
@@ -39,5 +41,9 @@ class VoxelArray : public VoxelSource {
 // the voxels are incomplete, so callers must check it.
 VoxelArray read_voxels(const VoxelSource& source, const std::array<int, 3>& size, int channels,
                        const BakeOptions& options, std::string_view step);
+
+// Writes a channel of a volume's finest voxels, x fastest, rounded to its pixel type. They are
+// incomplete after an interruption.
+void read_channel(const Baked& volume, std::size_t channel, const BakeOptions& options, float* to);
 
 }  // namespace skybake

@@ -14,6 +14,7 @@
 
 #include "bakers/assets/cloud_distance/distance_check.h"
 #include "bakers/assets/description/asset_label.h"
+#include "bakers/assets/description/probe_places.h"
 #include "bakers/assets/sources/source_volume.h"
 #include "bakers/field/baked.h"
 #include "bakers/field/finish_volume.h"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bakers/assets/sources/source_volume.h"
 #include "bakers/field/baked.h"
+#include "bakers/field/voxel_array.h"
 #include "bakers/math/transcendental.h"
 #include "bakers/occupancy/cell_grid.h"
 #include "config/assets/occupancy_filter.h"

@@ -11,7 +11,7 @@
 #include "bakers/assets/cloud_light/radiance_volume.h"
 #include "bakers/assets/cloud_light/texel_fit.h"
 #include "bakers/assets/description/asset_label.h"
-#include "bakers/assets/sources/source_volume.h"
+#include "bakers/assets/description/probe_places.h"
 #include "bakers/field/baked.h"
 #include "bakers/field/finish_volume.h"
 #include "bakers/math/parallel.h"

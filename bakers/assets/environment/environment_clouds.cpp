@@ -9,6 +9,7 @@
 #include "bakers/assets/cloud_light/march_light.h"
 #include "bakers/assets/sources/source_volume.h"
 #include "bakers/field/baked.h"
+#include "bakers/field/voxel_array.h"
 #include "bakers/light/sky_ray.h"
 #include "bakers/math/parallel.h"
 #include "bakers/math/transcendental.h"

@@ -7,8 +7,6 @@
 #include "bakers/assets/cloud_volume/cloud_inputs.h"
 #include "bakers/field/baked.h"
 #include "bakers/field/block_voxels.h"
-#include "bakers/field/pixel_type.h"
-#include "bakers/math/parallel.h"
 
 namespace skybake {
 
@@ -26,27 +24,6 @@ Outcome<Baked> hold_source_volume(const Parameters& parameters, const std::strin
     if (options.cancelled()) return {};
     code_levels(voxels);
     return {std::move(voxels), {}};
-}
-
-void read_channel(const Baked& volume, std::size_t channel, const BakeOptions& options, float* to) {
-    const Level& level = volume.levels.front();
-    const VoxelBox slice = {{}, {level.size[0], level.size[1], 1}};
-    for_each_tile(level.size[2], options, "voxels", [&](int z) {
-        float* const out = to + z * slice.count();
-        std::vector<float*> channels(volume.channel_names.size(), nullptr);
-        channels[channel] = out;
-        level.voxels->fill({{0, 0, z}, slice.size}, channels);
-        round_values(out, static_cast<std::size_t>(slice.count()), volume.pixel_type);
-    });
-}
-
-ProbePlace place_on(const std::vector<AxisMapping>& axes, const std::array<double, 3>& uvw) {
-    ProbePlace place{{}, {{uvw}}};
-    for (std::size_t i = 0; i < 3; ++i) {
-        place.at.emplace_back(axes[i].quantity,
-                              axes[i].first + uvw[i] * (axes[i].last - axes[i].first));
-    }
-    return place;
 }
 
 bool is_marched_as_stored(const Cloud& cloud) {

@@ -3,8 +3,6 @@
 // Assets whose texels are blocks of a volume's voxels: where they lie, and what they are called.
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,7 +15,6 @@
 #include "bakers/occupancy/cell_grid.h"
 #include "config/assets/cloud_volume.h"
 #include "config/diagnostics/diagnostic.h"
-#include "config/fields/fields.h"
 #include "config/sections/parameters.h"
 
 namespace skybake {
@@ -33,10 +30,6 @@ const CloudVolumeBake& source_volume(const Parameters& parameters, const std::st
 Outcome<Baked> hold_source_volume(const Parameters& parameters, const std::string& of,
                                   const BakeOptions& options, Facts& details);
 
-// Writes a channel of a volume's finest voxels, x fastest, rounded to its pixel type. They are
-// incomplete after an interruption.
-void read_channel(const Baked& volume, std::size_t channel, const BakeOptions& options, float* to);
-
 // Returns whether a march may sum the densities of the volume as its files hold them.
 bool is_marched_as_stored(const Cloud& cloud);
 
@@ -51,16 +44,6 @@ template <class Asset>
 std::vector<InputFile> inputs_of_source(const Parameters& parameters, const Asset& asset) {
     return cloud_volume_inputs(parameters, source_volume(parameters, asset.of));
 }
-
-// Returns the word that recipes have for a choice of a key of such an asset.
-template <class Choice>
-std::string word_of(std::string_view asset, std::string_view key, Choice choice) {
-    const config::Section& section = *config::find_section("bake.*", asset);
-    return std::string(config::choice_name(*config::find_field(section, key), choice));
-}
-
-// Returns the probe's place at texture coordinates of linear axes.
-ProbePlace place_on(const std::vector<AxisMapping>& axes, const std::array<double, 3>& uvw);
 
 // Returns the edges of what the blocks of a volume span, which may go on beyond the volume.
 Uvw spanned_m(const occupancy::CellGrid& grid, const Cloud& cloud);
