@@ -45,8 +45,8 @@ Outcome<Baked> bake(const Parameters& parameters, const AerialPerspectiveBake& a
         return std::make_unique<SkyLight>(medium_of(LightRequest{.atmosphere = atmosphere}),
                                           config::SkyOrders::single, nullptr, options.threads);
     });
-    return bake_of_light(lights, label.name, options, [&](const SkyLights& found) {
-        return bake_aerial_perspective(found, asset, options,
+    return bake_of_light(lights, label.name, options, [&] {
+        return bake_aerial_perspective(lights, asset, options,
                                        labelled_sky_volume(parameters, std::move(label)));
     });
 }

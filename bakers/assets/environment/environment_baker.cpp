@@ -36,16 +36,16 @@ Outcome<Baked> bake(const Parameters& parameters, const EnvironmentBake& asset,
         return std::make_unique<SkyLight>(atmosphere, asset.orders, asset.layers, options);
     });
     lights.multiply(solar_irradiance_of(asset));
-    return bake_of_light(lights, label.name, options, [&](const SkyLights& found) {
+    return bake_of_light(lights, label.name, options, [&] {
         Baked table = labelled_light_table(parameters, std::move(label));
         // The lights tell the lux of colours.
-        if (found.makes_colors()) {
+        if (lights.makes_colors()) {
             table.conventions.color = color_convention(*parameters.color, {}, true);
         }
         const Outcome<std::vector<CloudMedium>> media =
             clouds_of_environment(parameters, asset, options, table.details);
         if (!media.value) return Outcome<Baked>{{}, media.diagnostics};
-        return bake_environment(found, asset, options, std::move(table), *media.value);
+        return bake_environment(lights, asset, options, std::move(table), *media.value);
     });
 }
 

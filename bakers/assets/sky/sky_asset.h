@@ -20,14 +20,14 @@
 
 namespace skybake {
 
-// Returns make(light), of a SkyLight or of SkyLights. If the bake was interrupted while the light was solved for, returns nothing;
-// if the solution is invalid, returns E0405 for the asset of that name.
-template <class Light, class Make>
-Outcome<Baked> bake_of_light(const Light& light, const std::string& name,
+// Returns make(), which makes an asset of the lights. If the bake was interrupted while they were solved for,
+// returns nothing; if a solution is invalid, returns E0405 for the asset of that name.
+template <class Make>
+Outcome<Baked> bake_of_light(const SkyLights& lights, const std::string& name,
                              const BakeOptions& options, const Make& make) {
     if (options.cancelled()) return {};
-    if (const auto problem = light.problem(name)) return *problem;
-    return make(light);
+    if (const auto problem = lights.problem(name)) return *problem;
+    return make();
 }
 
 // Returns the solved light of these packets of wavelengths, which an asset needs unless it shows light
