@@ -37,8 +37,8 @@ void add_slice_levels(int count, const BakeOptions& options, Baked& volume);
 
 struct VolumeFinish {
     std::vector<std::array<double, 2>> histogram_ranges;  // one per channel
-    VolumeReference reference;                            // empty: no certificate
-    std::string reference_name;
+    VolumeReference reference = {};                       // empty: no certificate
+    std::string reference_name = {};
     bool expensive = false;  // the reference is expensive: --certify=quick takes fewer points
     // Approximates an expensive reference. It is searched for the largest errors in its place.
     VolumeReference estimate = {};

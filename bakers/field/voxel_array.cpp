@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "bakers/field/baked.h"
+#include "bakers/field/pixel_type.h"
 #include "bakers/math/parallel.h"
 
 namespace skybake {
@@ -27,6 +29,14 @@ double VoxelArray::largest(std::size_t channel) const {
     return *std::ranges::max_element(values_[channel]);
 }
 
+std::vector<std::array<double, 2>> VoxelArray::ranges() const {
+    std::vector<std::array<double, 2>> ranges;
+    for (std::size_t c = 0; c < channels(); ++c) {
+        ranges.push_back({0, largest(c) > 0 ? largest(c) : 1});
+    }
+    return ranges;
+}
+
 VoxelArray read_voxels(const VoxelSource& source, const std::array<int, 3>& size, int channels,
                        const BakeOptions& options, std::string_view step) {
     VoxelArray array(size, static_cast<std::size_t>(channels));
@@ -42,6 +52,18 @@ VoxelArray read_voxels(const VoxelSource& source, const std::array<int, 3>& size
         source.fill(box, targets);
     });
     return array;
+}
+
+void read_channel(const Baked& volume, std::size_t channel, const BakeOptions& options, float* to) {
+    const Level& level = volume.levels.front();
+    const VoxelBox slice = {{}, {level.size[0], level.size[1], 1}};
+    for_each_tile(level.size[2], options, "voxels", [&](int z) {
+        float* const out = to + z * slice.count();
+        std::vector<float*> channels(volume.channel_names.size(), nullptr);
+        channels[channel] = out;
+        level.voxels->fill({{0, 0, z}, slice.size}, channels);
+        round_values(out, static_cast<std::size_t>(slice.count()), volume.pixel_type);
+    });
 }
 
 }  // namespace skybake

@@ -11,6 +11,8 @@
 
 namespace skybake {
 
+struct Baked;
+
 class VoxelArray : public VoxelSource {
   public:
     // All voxels are 0.
@@ -27,6 +29,8 @@ class VoxelArray : public VoxelSource {
     std::vector<float>& channel(std::size_t c) { return values_[c]; }
     const std::vector<float>& channel(std::size_t c) const { return values_[c]; }
     double largest(std::size_t channel) const;
+    // Returns from 0 to the largest value of each channel, or to 1 where none is above 0.
+    std::vector<std::array<double, 2>> ranges() const;
 
   private:
     std::array<int, 3> size_;
@@ -37,5 +41,9 @@ class VoxelArray : public VoxelSource {
 // the voxels are incomplete, so callers must check it.
 VoxelArray read_voxels(const VoxelSource& source, const std::array<int, 3>& size, int channels,
                        const BakeOptions& options, std::string_view step);
+
+// Writes a channel of a volume's finest voxels, x fastest, rounded to its pixel type. They are
+// incomplete after an interruption.
+void read_channel(const Baked& volume, std::size_t channel, const BakeOptions& options, float* to);
 
 }  // namespace skybake

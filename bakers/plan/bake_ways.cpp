@@ -59,7 +59,6 @@ class AssetBakery {
             for (Need& need : needs_of(*bake)) all.push_back(std::move(need));
         }
         const auto expected = shared_.expect(std::move(all));
-        Outcome<std::vector<BakedAsset>> outcome;
         std::vector<BakedAsset> assets;
         const double share = 1.0 / static_cast<double>(bakes_.size());
         for (const Bake* bake : bakes_) {
@@ -77,8 +76,7 @@ class AssetBakery {
             assets.push_back({bake, std::move(*one.value), seconds.texels,
                               shared_by(*bake, seconds.light), lookup});
         }
-        outcome.value = std::move(assets);
-        return outcome;
+        return {std::move(assets), {}};
     }
 
   private:

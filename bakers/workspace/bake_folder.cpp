@@ -247,14 +247,6 @@ class FolderMaker {
         return true;
     }
 
-    // Returns what the folder held of an asset before, or null.
-    const ManifestAsset* entry_before(const std::string& name) const {
-        if (!plan_.folder.previous) return nullptr;
-        const auto& entries = plan_.folder.previous->assets;
-        const auto entry = std::ranges::find(entries, name, &ManifestAsset::name);
-        return entry == entries.end() ? nullptr : &*entry;
-    }
-
     // The files of an entry that stays are none that the recipe has given up.
     void keep_files_of(const ManifestAsset& entry) {
         const auto is_its = [&entry](const RetiredFile& retired) {
@@ -283,7 +275,8 @@ class FolderMaker {
             const bool failed = result_.assets[i].files.empty();
             if (!failed) {
                 manifest.assets.push_back(entry_of(i));
-            } else if (const auto* before = entry_before(plan_.assets[i].bake->name)) {
+            } else if (const auto* before =
+                           entry_before(plan_.folder, plan_.assets[i].bake->name)) {
                 manifest.assets.push_back(*before);
                 keep_files_of(*before);
             }
@@ -340,7 +333,7 @@ class FolderMaker {
                 return other.name == section.name;
             };
             if (std::ranges::any_of(bake_.bakes, is_this)) continue;
-            const ManifestAsset* entry = entry_before(section.name);
+            const ManifestAsset* entry = entry_before(plan_.folder, section.name);
             if (entry == nullptr) continue;
             const auto identity = asset_identity(*bake_.recipe, section, bake_.certification);
             if (!identity.value) continue;

@@ -51,12 +51,7 @@ std::vector<std::string> file_faults(const fs::path& folder, const ManifestAsset
 }
 
 void compare_with_folder(const OutputFolder& folder, PlannedAsset& planned) {
-    const ManifestAsset* entry = nullptr;
-    if (folder.previous) {
-        for (const ManifestAsset& asset : folder.previous->assets) {
-            if (asset.name == planned.bake->name) entry = &asset;
-        }
-    }
+    const ManifestAsset* entry = entry_before(folder, planned.bake->name);
     if (!entry) {
         planned.reasons = {folder.reason.empty() ? "not baked yet" : folder.reason};
         return;
@@ -155,6 +150,13 @@ void add_input_changes(const AssetIdentity& identity, const ManifestAsset& previ
 }
 
 }  // namespace
+
+const ManifestAsset* entry_before(const OutputFolder& folder, const std::string& name) {
+    if (!folder.previous) return nullptr;
+    const auto& entries = folder.previous->assets;
+    const auto entry = std::ranges::find(entries, name, &ManifestAsset::name);
+    return entry == entries.end() ? nullptr : &*entry;
+}
 
 std::int64_t bytes_to_keep(std::int64_t most, std::optional<double> limit_mib, double used_mib) {
     if (!limit_mib) return most;
@@ -257,7 +259,6 @@ std::string key_of(const AssetIdentity& identity) {
 
 Outcome<AssetIdentity> asset_identity(const Recipe& recipe, const Bake& bake,
                                       Certification certification) {
-    Outcome<AssetIdentity> outcome;
     const AnyBaker& baker = baker_of(bake);
     AssetIdentity identity;
     identity.kind = baker.asset;
@@ -276,8 +277,7 @@ Outcome<AssetIdentity> asset_identity(const Recipe& recipe, const Bake& bake,
     }
     identity.sidecars += revisions_of(config::files_of(bake));
     identity.key = key_of(identity);
-    outcome.value = std::move(identity);
-    return outcome;
+    return {std::move(identity), {}};
 }
 
 void sign(const AssetIdentity& identity, ManifestAsset& entry) {

@@ -109,6 +109,9 @@ struct FolderPlan {
     double seconds() const;
 };
 
+// Returns the folder's entry of an asset, as it was before the bake, or null.
+const ManifestAsset* entry_before(const OutputFolder& folder, const std::string& name);
+
 // Returns the bytes that may be kept of what is made: `most`, or what a bake that needs `used_mib`
 // leaves of a limit.
 std::int64_t bytes_to_keep(std::int64_t most, std::optional<double> limit_mib, double used_mib);

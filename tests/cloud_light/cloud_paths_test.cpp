@@ -153,12 +153,12 @@ TEST(CloudPaths, ScatterOnceExactly) {
 
 TEST(CloudPaths, PassWithTheExponentialOfTheDepth) {
     const CloudLayer layer = test::rough_layer({13, 7, 5}, 0.5);
-    const CloudPaths paths(layer, scattering_of(droplet_phase(12), 1), {}, 2);
+    const CloudPaths paths(layer, scattering_of(droplet_phase(12), 0), {.sky = 1}, 2);
     for (const double cosine : {1.0, 0.3}) {
         const glm::dvec3 place(0.2, 6.9, 0);
         const glm::dvec3 direction = direction_of(cosine, 2);
         const double wanted = std::exp(-optical_depth_reference(layer, place, direction));
-        EXPECT_NEAR(paths.transmittance(place, direction, 40000, 9), wanted, 0.01) << cosine;
+        EXPECT_NEAR(paths.trace(place, direction, 40000, 9, 0).seen, wanted, 0.01) << cosine;
         EXPECT_GT(wanted, 0.03);
     }
 }

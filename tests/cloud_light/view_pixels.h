@@ -37,9 +37,9 @@ inline BakeOptions with_threads() { return {.threads = kThreads}; }
 // The layer of the recipe's first asset.
 inline cloud_light::CloudLayer layer_of(const config::Parameters& parameters) {
     const auto& of = parameters.bakes[0].as<config::CloudVolumeBake>();
-    Baked volume;
+    Facts facts;
     const BakeOptions options = with_threads();
-    const auto held = hold_source_volume(parameters, "v", options, volume);
+    const auto held = hold_source_volume(parameters, "v", options, facts);
     return cloud_light::make_layer(*held.value, 0, spanned_cloud(parameters, of), options);
 }
 

@@ -199,8 +199,8 @@ TEST(Marcher, SkipsMoreThanTheRuleOfTheThesis) {
         "[noise.shape]\npreset = \"thesis\"\n[clouds.thesis]\npreset = \"thesis\"\n"
         "[bake.thesis]\nasset = \"cloud_volume\"\ncloud = \"thesis\"\nsize = [128, 128, 128]\n",
         "thesis");
-    Baked made;
-    const auto held = hold_source_volume(recipe.value->parameters, "thesis", {}, made);
+    Facts facts;
+    const auto held = hold_source_volume(recipe.value->parameters, "thesis", {}, facts);
     Volume volume = test::volume_of({{128, 128, 128}, 4});
     const std::size_t channel = channel_named(*held.value, "G");
     std::vector<float*> channels(held.value->channel_names.size(), nullptr);

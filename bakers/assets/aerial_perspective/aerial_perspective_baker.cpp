@@ -32,7 +32,7 @@ config::SkyOrders solved_orders(const AerialPerspectiveBake& asset) {
 
 std::vector<Need> needs(const Parameters& parameters, const AerialPerspectiveBake& asset,
                         Certification) {
-    return light_needs(parameters, solved_orders(asset), false);
+    return light_needs(light_packets(parameters), solved_orders(asset), false);
 }
 
 Outcome<Baked> bake(const Parameters& parameters, const AerialPerspectiveBake& asset,
@@ -45,8 +45,8 @@ Outcome<Baked> bake(const Parameters& parameters, const AerialPerspectiveBake& a
         return std::make_unique<SkyLight>(medium_of(LightRequest{.atmosphere = atmosphere}),
                                           config::SkyOrders::single, nullptr, options.threads);
     });
-    return bake_of_light(lights, label.name, options, [&](const SkyLights& found) {
-        return bake_aerial_perspective(found, asset, options,
+    return bake_of_light(lights, label.name, options, [&] {
+        return bake_aerial_perspective(lights, asset, options,
                                        labelled_sky_volume(parameters, std::move(label)));
     });
 }
@@ -124,55 +124,43 @@ AssetLookup lookup(const Parameters& parameters, const AerialPerspectiveBake& as
              std::move(picture)}};
 }
 
-// A place in the camera's picture, and a point in the air that is seen there.
-struct FroxelSample {
-    double u = 0;
-    double v = 0;
-    AirSample view;
+// Points in the air all over the volume, down to the first slice's distance, and where they are in it.
+struct Froxels {
+    std::vector<Place> at;
+    std::vector<AirSample> views;
 };
 
-// Points all over the volume, down to the first slice's distance. Points below the ground are left
-// out: their voxels stand for points on the ground.
-std::vector<FroxelSample> froxel_samples(const Shell& shell, const AerialPerspectiveBake& asset) {
+// Points below the ground are left out: their voxels stand for points on the ground.
+Froxels froxel_samples(const Shell& shell, const AerialPerspectiveBake& asset) {
     constexpr int kSamples = 96;
     const AerialCamera camera(asset, shell);
     const double first = 0.5 / asset.size[2];
-    std::vector<FroxelSample> samples;
+    Froxels samples;
     for (int i = 0; i < kSamples; ++i) {
         const auto [u, v, w] = low_discrepancy_point(i);
-        FroxelSample sample;
-        sample.u = u;
-        sample.v = v;
-        const ViewDirection view = camera.direction(sample.u, sample.v);
-        sample.view = {camera.altitude_km(), camera.sun(),
-                       sky_direction(camera.sun(), view.mu, view.sine, view.azimuth_cosine),
-                       camera.distance_km(u, v, first + (1 - first) * w)};
-        const SkyRay ray =
-            sky_ray(shell, camera.altitude_km(), camera.sun(), sample.view.direction);
-        if (ray.meets_ground && sample.view.distance_km > ray.length_km) continue;
-        samples.push_back(sample);
+        const ViewDirection view = camera.direction(u, v);
+        const AirSample sample = {
+            camera.altitude_km(), camera.sun(),
+            sky_direction(camera.sun(), view.mu, view.sine, view.azimuth_cosine),
+            camera.distance_km(u, v, first + (1 - first) * w)};
+        const SkyRay ray = sky_ray(shell, sample.altitude_km, sample.sun, sample.direction);
+        if (ray.meets_ground && sample.distance_km > ray.length_km) continue;
+        samples.at.push_back(
+            {{"picture_x", u}, {"picture_y", v}, {"distance_km", sample.distance_km}});
+        samples.views.push_back(sample);
     }
     return samples;
 }
 
 std::optional<TracedLight> traced(const Parameters& parameters,
                                   const AerialPerspectiveBake& asset) {
-    const bool has_light = asset.content != config::AerialContent::transmittance;
-    if (!has_light || asset.orders == config::SkyOrders::single) return std::nullopt;
-    const auto samples = froxel_samples(shell_of(parameters.atmosphere), asset);
-    std::vector<Place> at;
-    std::vector<AirSample> views;
-    for (const FroxelSample& sample : samples) {
-        at.push_back({{"picture_x", sample.u},
-                      {"picture_y", sample.v},
-                      {"distance_km", sample.view.distance_km}});
-        views.push_back(sample.view);
-    }
+    if (solved_orders(asset) == config::SkyOrders::single) return std::nullopt;
+    const Froxels samples = froxel_samples(shell_of(parameters.atmosphere), asset);
     const auto trace_of = [&](std::shared_ptr<const TracedAir> air) {
-        return trace_of_air(std::move(air), views, asset.orders);
+        return trace_of_air(std::move(air), samples.views, asset.orders);
     };
-    return TracedLight{light_channels(parameters), at,
-                       light_looked_up(places, parameters, asset, at),
+    return TracedLight{light_channels(parameters), samples.at,
+                       light_looked_up(places, parameters, asset, samples.at),
                        traces_of_packets(parameters, trace_of)};
 }
 

@@ -272,10 +272,7 @@ Outcome<Baked> bake_aerial_perspective(const SkyLights& lights, const AerialPers
     const auto froxels =
         std::make_shared<const VoxelArray>(make_froxels(channels, bake.size, options));
     VolumeFinish finish;
-    for (std::size_t c = 0; c < volume.channel_names.size(); ++c) {
-        const double largest = froxels->largest(c);
-        finish.histogram_ranges.push_back({0, largest > 0 ? largest : 1});
-    }
+    finish.histogram_ranges = froxels->ranges();
     finish.reference = [&channels](const std::array<double, 3>& uvw) {
         return channels.along(uvw[0], uvw[1], {uvw[2]});
     };

@@ -154,15 +154,10 @@ Outcome<Baked> bake_blue_noise(const BlueNoiseBake& bake, const BakeOptions& opt
     const MaskView mask{bake.voxels(), &voxels->channel(0)};
     volume.details.emplace_back("low_power_of_frames", to_digits(low_power_of_frames(mask), 3));
     volume.details.emplace_back("low_power_over_time", to_digits(low_power_over_time(mask), 3));
-    Level level;
-    level.size = bake.voxels();
-    level.voxels = voxels;
-    volume.levels.push_back(std::move(level));
+    add_voxels(bake.voxels(), voxels, volume);
     return finish_volume(
         std::move(volume),
         {.histogram_ranges = {{0, 1}},
-         .reference = {},
-         .reference_name = {},
          .measure = [&mask](const Baked&, const BakeOptions&) { return certificate_of(mask); },
          .probe_place = [&bake](const std::array<double, 3>& uvw,
                                 int) { return place_of(bake.voxels(), uvw); }},

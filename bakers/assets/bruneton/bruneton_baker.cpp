@@ -43,11 +43,7 @@ Outcome<Baked> bake(const Parameters& parameters, const BrunetonBake& asset,
 }
 
 std::vector<Need> needs(const Parameters& parameters, const BrunetonBake& asset, Certification) {
-    std::vector<Need> needs;
-    for (const config::Atmosphere& packet : light_packets(parameters)) {
-        for (Need& need : needs_of_bruneton(packet, asset)) needs.push_back(std::move(need));
-    }
-    return needs;
+    return needs_of_bruneton(light_packets(parameters), asset);
 }
 
 Estimate estimate(const Parameters& parameters, const BrunetonBake& asset) {

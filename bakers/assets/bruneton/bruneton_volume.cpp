@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <glm/gtc/type_ptr.hpp>
 #include <memory>
 #include <utility>
 
@@ -13,6 +14,8 @@
 #include "bakers/assets/bruneton/scattering_volume.h"
 #include "bakers/assets/bruneton/table_content.h"
 #include "bakers/assets/description/asset_label.h"
+#include "bakers/assets/sky/sky_lights.h"
+#include "bakers/assets/transmittance/transmittance_table.h"
 #include "bakers/field/baked.h"
 #include "bakers/light/higher_orders.h"
 #include "bakers/light/shared_light.h"
@@ -60,17 +63,6 @@ void describe_light(const BrunetonBake& bake, Conventions& conventions) {
     conventions.radiance_unit = of_one ? "1/sr" : "solar_irradiance/sr";
 }
 
-// The air of one packet, and its light; null: no higher orders.
-struct Packet {
-    SkyMedium air;
-    SkyMedium medium;  // without forward peaks
-    std::shared_ptr<const SolvedLight> light;
-};
-
-glm::dvec3 factors_of(const BrunetonBake& bake) {
-    return {bake.solar_irradiance[0], bake.solar_irradiance[1], bake.solar_irradiance[2]};
-}
-
 // Returns the sum of the weights: the colour of light that is 1 at all wavelengths.
 glm::dvec3 white_of(const std::vector<glm::dvec3>& weights) {
     glm::dvec3 sum(0);
@@ -78,20 +70,29 @@ glm::dvec3 white_of(const std::vector<glm::dvec3>& weights) {
     return sum;
 }
 
+// Returns the table of one packet or, with weights, of the colours of all.
+TableModel flat_table(std::vector<TableModel> packets, const std::vector<glm::dvec3>& weights) {
+    if (weights.empty()) return std::move(packets.front());
+    return model_of_colors(std::move(packets), weights);
+}
+
 // Colours of transmittance are the shares of sunlight's colours.
-Outcome<Baked> bake_transmittance(const std::vector<Packet>& packets,
+Outcome<Baked> bake_transmittance(const std::vector<ScatteringPacket>& packets,
                                   const std::vector<glm::dvec3>& weights, const BrunetonBake& bake,
                                   const BakeOptions& options, Baked volume) {
-    std::vector<FlatTable> tables;
-    for (const Packet& packet : packets) tables.push_back(flat_transmittance(packet.air.air));
-    const FlatTable table = weights.empty()
-                                ? std::move(tables.front())
-                                : flat_colors(std::move(tables), weights, 1.0 / white_of(weights));
+    std::vector<TableModel> tables;
+    for (const ScatteringPacket& packet : packets) {
+        tables.push_back(transmittance_model(packet.air.air, {}));
+    }
+    std::vector<glm::dvec3> shares = weights;
+    for (glm::dvec3& share : shares) share *= 1.0 / white_of(weights);
+    const TableModel table = flat_table(std::move(tables), shares);
     return bake_bruneton_transmittance(table, shell_of(packets.front().air.air), bake, options,
                                        std::move(volume));
 }
 
-std::unique_ptr<const SkyLight> sky_light_of(const Packet& packet, const BakeOptions& options) {
+std::unique_ptr<const SkyLight> sky_light_of(const ScatteringPacket& packet,
+                                             const BakeOptions& options) {
     std::unique_ptr<const HigherOrders> higher;
     if (packet.light) {
         higher =
@@ -101,20 +102,20 @@ std::unique_ptr<const SkyLight> sky_light_of(const Packet& packet, const BakeOpt
     return std::make_unique<SkyLight>(packet.medium, orders, std::move(higher), options.threads);
 }
 
-Outcome<Baked> bake_irradiance(const std::vector<Packet>& packets,
+Outcome<Baked> bake_irradiance(const std::vector<ScatteringPacket>& packets,
                                const std::vector<glm::dvec3>& weights, const BrunetonBake& bake,
                                const BakeOptions& options, Baked volume) {
     const std::vector<double> sun =
         weights.empty() ? bake.solar_irradiance : std::vector<double>(kMaxChannels, 1);
     std::vector<std::unique_ptr<const SkyLight>> lights;
-    std::vector<FlatTable> tables;
-    for (const Packet& packet : packets) {
+    std::vector<TableModel> tables;
+    for (const ScatteringPacket& packet : packets) {
         lights.push_back(sky_light_of(packet, options));
         tables.push_back(flat_irradiance(*lights.back(), sun));
     }
-    const FlatTable table = weights.empty()
-                                ? std::move(tables.front())
-                                : flat_colors(std::move(tables), weights, factors_of(bake));
+    std::vector<glm::dvec3> of_sun = weights;
+    for (glm::dvec3& weight : of_sun) weight *= glm::make_vec3(bake.solar_irradiance.data());
+    const TableModel table = flat_table(std::move(tables), of_sun);
     return bake_bruneton_irradiance(table, lights.front()->shell(), bake, options,
                                     std::move(volume));
 }
@@ -198,30 +199,32 @@ config::Atmosphere colored_air(const PacketsOfAir& air) {
 
 }  // namespace
 
-std::vector<Need> needs_of_bruneton(const config::Atmosphere& atmosphere,
+std::vector<Need> needs_of_bruneton(const std::vector<config::Atmosphere>& packets,
                                     const BrunetonBake& bake) {
     std::vector<Need> needs;
     if (bake.table == BrunetonTable::transmittance) return needs;
-    const std::optional<LightRequest> request = light_request(atmosphere, bake);
-    if (request) needs.push_back(need_of(*request));
     const bool is_flat = bake.table == BrunetonTable::irradiance;
-    if (bake.table != BrunetonTable::higher_orders) {
-        needs.push_back(need_of(SunlightRequest{atmosphere}));
-        if (!is_flat) needs.push_back(need_of(parts_request(atmosphere, bake, 1)));
-    }
-    if (request && !is_flat) {
-        needs.push_back(need_of(parts_request(atmosphere, bake, bake.orders)));
+    for (const config::Atmosphere& atmosphere : packets) {
+        const std::optional<LightRequest> request = light_request(atmosphere, bake);
+        if (request) needs.push_back(need_of(*request));
+        if (bake.table != BrunetonTable::higher_orders) {
+            needs.push_back(need_of(SunlightRequest{atmosphere}));
+            if (!is_flat) needs.push_back(need_of(parts_request(atmosphere, bake, 1)));
+        }
+        if (request && !is_flat) {
+            needs.push_back(need_of(parts_request(atmosphere, bake, bake.orders)));
+        }
     }
     return needs;
 }
 
 Outcome<Baked> bake_bruneton(const PacketsOfAir& air, const BrunetonBake& bake,
                              const BakeOptions& options, Baked volume) {
-    std::vector<Packet> packets;
+    std::vector<ScatteringPacket> packets;
     for (const config::Atmosphere& atmosphere : air.packets) {
         SkyMedium medium = make_sky_medium(atmosphere);
         SkyMedium smooth = without_forward_peaks(medium);
-        packets.push_back({std::move(medium), std::move(smooth), nullptr});
+        packets.push_back({atmosphere, std::move(smooth), nullptr, std::move(medium)});
     }
     volume.kind = "bruneton";
     volume.channel_names = channel_names(air, bake);
@@ -235,9 +238,8 @@ Outcome<Baked> bake_bruneton(const PacketsOfAir& air, const BrunetonBake& bake,
     if (bake.table == BrunetonTable::transmittance) {
         return bake_transmittance(packets, air.weights, bake, options, std::move(volume));
     }
-    for (std::size_t p = 0; p < packets.size(); ++p) {
-        Packet& packet = packets[p];
-        const std::optional<LightRequest> request = light_request(air.packets[p], bake);
+    for (ScatteringPacket& packet : packets) {
+        const std::optional<LightRequest> request = light_request(packet.atmosphere, bake);
         packet.light = request ? light_of(*request, packet.medium, options) : nullptr;
         if (options.cancelled()) return {};
         if (!packet.light || bake.orders != 0) continue;
@@ -249,11 +251,7 @@ Outcome<Baked> bake_bruneton(const PacketsOfAir& air, const BrunetonBake& bake,
     if (bake.table == BrunetonTable::irradiance) {
         return bake_irradiance(packets, air.weights, bake, options, std::move(volume));
     }
-    std::vector<ScatteringPacket> of_table;
-    for (std::size_t p = 0; p < packets.size(); ++p) {
-        of_table.push_back({air.packets[p], packets[p].medium, packets[p].light});
-    }
-    return bake_scattering(of_table, air.weights, bake, options, std::move(volume));
+    return bake_scattering(packets, air.weights, bake, options, std::move(volume));
 }
 
 std::string takram_parameters(const PacketsOfAir& air, const BrunetonBake& bake) {

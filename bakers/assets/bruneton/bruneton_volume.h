@@ -27,9 +27,10 @@ struct PacketsOfAir {
 Outcome<Baked> bake_bruneton(const PacketsOfAir& air, const BrunetonBake& bake,
                              const BakeOptions& options, Baked volume);
 
-// Returns what the table of one packet is made from and shares with others: solved light, sunlight,
+// Returns what the table of these packets is made from and shares with others: solved light, sunlight,
 // and light that was scattered once or more often.
-std::vector<Need> needs_of_bruneton(const config::Atmosphere& atmosphere, const BrunetonBake& bake);
+std::vector<Need> needs_of_bruneton(const std::vector<config::Atmosphere>& packets,
+                                    const BrunetonBake& bake);
 
 // Returns the parameters of @takram/three-atmosphere that belong to its tables: a JSON object with
 // those members of its AtmosphereParameters on which tables depend, under their names and in their

@@ -6,11 +6,10 @@
 
 #include "bakers/air/ray.h"
 #include "bakers/air/transmittance_mapping.h"
-#include "bakers/assets/sky/sky_lights.h"
-#include "bakers/assets/transmittance/transmittance_table.h"
 #include "bakers/field/baked.h"
 #include "bakers/field/choose_probes.h"
 #include "bakers/field/finish_volume.h"
+#include "bakers/field/voxel_array.h"
 #include "bakers/light/sky_irradiance.h"
 #include "bakers/light/solver/sun_axis.h"
 #include "bakers/math/parallel.h"
@@ -53,19 +52,41 @@ ProbePlace probe_place_of(const FlatPlace& place, const std::array<int, 3>& size
     return result;
 }
 
-// The values of a row's function at texture coordinates, 1 in channels after the colours.
-VolumeReference flat_values(const FlatTable& table, const FlatRow& row,
-                            const std::array<int, 3>& size, std::size_t channels) {
-    return [&row, colours = table.colours, size, channels](const std::array<double, 3>& uvw) {
+using FlatRow = decltype(TableModel::reference);
+
+// Returns the values of a row's function at texture coordinates, 1 in channels after the colours.
+VolumeReference flat_values(FlatRow row, int colours, const std::array<int, 3>& size,
+                            std::size_t channels) {
+    return [row = std::move(row), colours, size, channels](const std::array<double, 3>& uvw) {
         std::vector<double> values(channels, 1);
-        std::vector<double> found(colours);
+        std::vector<double> found(static_cast<std::size_t>(colours));
         row(coordinate_of(uvw[1], size[1]), {coordinate_of(uvw[0], size[0])}, found.data());
         std::ranges::copy(found, values.begin());
         return values;
     };
 }
 
-Outcome<Baked> bake_flat(const FlatTable& table, const FlatPlace& place, const BrunetonBake& bake,
+// Makes the texels. Channels after the colours hold 1.
+VoxelArray flat_texels(const TableModel& table, const std::array<int, 3>& size,
+                       std::size_t channels, const BakeOptions& options) {
+    VoxelArray texels(size, channels);
+    const auto colours = static_cast<std::size_t>(table.channels);
+    std::vector<double> x;
+    for (int u = 0; u < size[0]; ++u) x.push_back(texel_coordinate(kFlatConvention, u, size[0]));
+    for_each_tile(size[1], options, "texels", [&](int v) {
+        std::vector<double> values(x.size() * colours);
+        table.row(0, texel_coordinate(kFlatConvention, v, size[1]), x, values.data());
+        for (std::size_t c = 0; c < channels; ++c) {
+            float* to = texels.channel(c).data() + texels.offset(0, v, 0);
+            for (std::size_t u = 0; u < x.size(); ++u) {
+                to[u] = c < colours ? static_cast<float>(values[u * colours + c]) : 1.0f;
+            }
+        }
+    });
+    return texels;
+}
+
+Outcome<Baked> bake_flat(const TableModel& table, const FlatPlace& place, const BrunetonBake& bake,
                          const BakeOptions& options, Baked volume) {
     const std::size_t channels = volume.channel_names.size();
     const auto texels =
@@ -73,71 +94,25 @@ Outcome<Baked> bake_flat(const FlatTable& table, const FlatPlace& place, const B
     VolumeFinish finish;
     finish.reference_name = volume.certificate.reference;
     finish.expensive = bake.table == BrunetonTable::irradiance;
-    finish.reference = flat_reference(table, bake.size, channels);
-    if (finish.expensive) finish.estimate = flat_values(table, table.row, bake.size, channels);
+    finish.reference = flat_values(table.reference, table.channels, bake.size, channels);
+    if (finish.expensive) {
+        const auto row = [&table](double y, const std::vector<double>& x, double* values) {
+            table.row(0, y, x, values);
+        };
+        finish.estimate = flat_values(row, table.channels, bake.size, channels);
+    }
     finish.probe_place = [&place, &bake](const std::array<double, 3>& uvw, int) {
         return probe_place_of(place, bake.size, uvw);
     };
-    for (std::size_t c = 0; c < channels; ++c) {
-        const double largest = texels->largest(c);
-        finish.histogram_ranges.push_back({0, largest > 0 ? largest : 1});
-    }
+    finish.histogram_ranges = texels->ranges();
     add_voxels(bake.size, texels, volume);
     add_mip_levels(bake.mips, options, volume);
     return finish_volume(std::move(volume), finish, options);
 }
 
-// Returns the row of colours of the packets' rows that `row_of` names.
-FlatRow row_of_colors(const std::shared_ptr<const std::vector<FlatTable>>& packets,
-                      const std::vector<glm::dvec3>& weights, FlatRow FlatTable::*row_of) {
-    std::vector<std::size_t> channels;
-    for (const FlatTable& packet : *packets) channels.push_back(packet.colours);
-    return [=](double y, const std::vector<double>& x, double* values) {
-        write_colors(
-            weights, channels, x.size(),
-            [&](std::size_t packet, double* light) { ((*packets)[packet].*row_of)(y, x, light); },
-            values);
-    };
-}
-
 }  // namespace
 
-VoxelArray flat_texels(const FlatTable& table, const std::array<int, 3>& size, std::size_t channels,
-                       const BakeOptions& options) {
-    VoxelArray texels(size, channels);
-    std::vector<double> x;
-    for (int u = 0; u < size[0]; ++u) x.push_back(texel_coordinate(kFlatConvention, u, size[0]));
-    for_each_tile(size[1], options, "texels", [&](int v) {
-        std::vector<double> values(x.size() * table.colours);
-        table.row(texel_coordinate(kFlatConvention, v, size[1]), x, values.data());
-        for (std::size_t c = 0; c < channels; ++c) {
-            float* to = texels.channel(c).data() + texels.offset(0, v, 0);
-            for (std::size_t u = 0; u < x.size(); ++u) {
-                to[u] =
-                    c < table.colours ? static_cast<float>(values[u * table.colours + c]) : 1.0f;
-            }
-        }
-    });
-    return texels;
-}
-
-VolumeReference flat_reference(const FlatTable& table, const std::array<int, 3>& size,
-                               std::size_t channels) {
-    return flat_values(table, table.reference, size, channels);
-}
-
-FlatTable flat_transmittance(const Medium& medium) {
-    const auto model = std::make_shared<const TableModel>(transmittance_model(medium, {}));
-    FlatTable table;
-    table.row = [model](double y, const std::vector<double>& x, double* values) {
-        model->row(0, y, x, values);
-    };
-    table.reference = model->reference;
-    table.colours = static_cast<std::size_t>(medium.channels);
-    return table;
-}
-
-FlatTable flat_irradiance(const SkyLight& light, const std::vector<double>& solar_irradiance) {
+TableModel flat_irradiance(const SkyLight& light, const std::vector<double>& solar_irradiance) {
     const double thickness_km = light.shell().thickness_km;
     const auto colours = static_cast<std::size_t>(light.medium().air.channels);
     // Darker suns are the darkest to higher orders too (sun_axis.h), and nothing of the air is lit.
@@ -162,18 +137,15 @@ FlatTable flat_irradiance(const SkyLight& light, const std::vector<double>& sola
             }
         };
     };
-    return {row_of(kFlatNodes), row_of(kReferenceNodes), colours};
+    TableModel table;
+    table.channels = light.medium().air.channels;
+    table.row = [row = row_of(kFlatNodes)](int, double y, const std::vector<double>& x,
+                                           double* values) { row(y, x, values); };
+    table.reference = row_of(kReferenceNodes);
+    return table;
 }
 
-FlatTable flat_colors(std::vector<FlatTable> packets, std::vector<glm::dvec3> weights,
-                      const glm::dvec3& factors) {
-    for (glm::dvec3& weight : weights) weight *= factors;
-    const auto shared = std::make_shared<const std::vector<FlatTable>>(std::move(packets));
-    return {row_of_colors(shared, weights, &FlatTable::row),
-            row_of_colors(shared, weights, &FlatTable::reference), 3};
-}
-
-Outcome<Baked> bake_bruneton_transmittance(const FlatTable& table, const Shell& shell,
+Outcome<Baked> bake_bruneton_transmittance(const TableModel& table, const Shell& shell,
                                            const BrunetonBake& bake, const BakeOptions& options,
                                            Baked volume) {
     volume.content = "transmittance from a point to the top of the atmosphere (dimensionless)";
@@ -200,7 +172,7 @@ Outcome<Baked> bake_bruneton_transmittance(const FlatTable& table, const Shell& 
     return bake_flat(table, place, bake, options, std::move(volume));
 }
 
-Outcome<Baked> bake_bruneton_irradiance(const FlatTable& table, const Shell& shell,
+Outcome<Baked> bake_bruneton_irradiance(const TableModel& table, const Shell& shell,
                                         const BrunetonBake& bake, const BakeOptions& options,
                                         Baked volume) {
     const double thickness_km = shell.thickness_km;

@@ -175,10 +175,7 @@ Outcome<Baked> bake_scattering(const std::vector<ScatteringPacket>& packets,
         content, mapping, of_each(tables, [](PacketTable& one) { return one.parts; }), options));
     for (std::size_t p = 0; p < packets.size(); ++p) tables[p]->make_reference(packets[p].medium);
     VolumeFinish finish;
-    for (std::size_t c = 0; c < content.channels(); ++c) {
-        const double largest = table->largest(c);
-        finish.histogram_ranges.push_back({0, largest > 0 ? largest : 1});
-    }
+    finish.histogram_ranges = table->ranges();
     finish.measure = [&](const Baked& baked, const BakeOptions& how) {
         const ExactTexel exact = exact_texel(
             content, of_each(tables, [](PacketTable& one) { return one.reference.get(); }));

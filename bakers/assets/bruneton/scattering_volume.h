@@ -22,8 +22,9 @@ struct Baked;
 // The air at the wavelengths that are computed together, and its light; null: no higher orders.
 struct ScatteringPacket {
     const config::Atmosphere& atmosphere;
-    const SkyMedium& medium;
+    SkyMedium medium;  // without forward peaks
     std::shared_ptr<const SolvedLight> light;
+    SkyMedium air = {};  // with them
 };
 
 // Bakes the volume: of the wavelengths of one packet, or of the colours that `weights` make of those

@@ -14,6 +14,7 @@
 
 #include "bakers/assets/cloud_distance/distance_check.h"
 #include "bakers/assets/description/asset_label.h"
+#include "bakers/assets/description/probe_places.h"
 #include "bakers/assets/sources/source_volume.h"
 #include "bakers/field/baked.h"
 #include "bakers/field/finish_volume.h"
@@ -23,7 +24,6 @@
 #include "bakers/occupancy/marcher.h"
 #include "bakers/occupancy/occupied_cells.h"
 #include "config/assets/occupancy_filter.h"
-#include "config/fields/fields.h"
 #include "config/text/mapped.h"
 
 namespace skybake {
@@ -37,10 +37,8 @@ using occupancy::DistanceCode;
 using occupancy::DistanceSource;
 
 std::vector<std::string> grid_names(const std::vector<DistanceContent>& contents) {
-    const config::Section& section = *config::find_section("bake.*", "cloud_distance");
-    const auto words = config::choice_names(*config::find_field(section, "contents"));
     return mapped<std::string>(contents, [&](const DistanceContent content) {
-        return std::string(words[static_cast<std::size_t>(content)]);
+        return word_of("cloud_distance", "contents", content);
     });
 }
 
@@ -52,15 +50,6 @@ std::string content_of(const CloudDistanceBake& bake) {
     return fmt::format(
         "texels of {} voxels: {} (distance: metres to cloud, negative within it, never too far{})",
         bake.cell, fmt::join(grid_names(bake.contents), ", "), scale);
-}
-
-ProbePlace place_of(const std::vector<AxisMapping>& axes, const std::array<double, 3>& uvw) {
-    ProbePlace place{{}, {{uvw}}};
-    for (std::size_t i = 0; i < 3; ++i) {
-        place.at.emplace_back(axes[i].quantity,
-                              axes[i].first + uvw[i] * (axes[i].last - axes[i].first));
-    }
-    return place;
 }
 
 std::vector<std::array<double, 2>> histogram_ranges(const CloudDistanceBake& bake) {
@@ -139,7 +128,7 @@ class DistanceBake {
             bits, grid_, code_, bake_.contents, std::move(fields), options_);
         if (options_.cancelled()) return {};
         if (has(DistanceContent::profile)) volume.details.emplace_back("core_m", texels->core_m());
-        volume.levels.push_back(level_of(volume, texels));
+        add_voxels(texels->size(), texels, volume);
         std::optional<Diagnostic> warning;
         if (options_.certification != Certification::off) {
             warning = add_skipping_gain(gain_of(*texels, bits), volume);
@@ -161,24 +150,17 @@ class DistanceBake {
         volume.channel_names = names_of_channels(bake_.contents.size());
         volume.grid_names = grid_names(bake_.contents);
         set_files(bake_, volume);
-        const auto add = [&](const char* key, FactValue value) {
-            volume.details.emplace_back(key, std::move(value));
-        };
-        add("of", bake_.of);
-        add("channel", of_.volume.channel_names[channel_named(of_.volume, bake_.channel)]);
-        add("cell", static_cast<double>(bake_.cell));
-        add("threshold", to_shortest(of_.threshold));
-        add("metres_at_0", code_.ends()[0]);
-        add("metres_at_1", code_.ends()[1]);
-        if (has(DistanceContent::detail_type)) add("wisp_height", wisp_height_);
-    }
-
-    static Level level_of(const Baked& volume, std::shared_ptr<const DistanceSource> texels) {
-        Level level;
-        level.size = texels->size();
-        level.repeats = repeating_axes(volume.axes);
-        level.voxels = std::move(texels);
-        return level;
+        volume.details.insert(
+            volume.details.end(),
+            {{"of", bake_.of},
+             {"channel", of_.volume.channel_names[channel_named(of_.volume, bake_.channel)]},
+             {"cell", static_cast<double>(bake_.cell)},
+             {"threshold", to_shortest(of_.threshold)},
+             {"metres_at_0", code_.ends()[0]},
+             {"metres_at_1", code_.ends()[1]}});
+        if (has(DistanceContent::detail_type)) {
+            volume.details.emplace_back("wisp_height", wisp_height_);
+        }
     }
 
     // What the published march by distances saves.
@@ -217,7 +199,7 @@ class DistanceBake {
             return certificate_of(baked, found, bake_);
         };
         finish.probe_place = [axes = volume.axes](const std::array<double, 3>& uvw, int) {
-            return place_of(axes, uvw);
+            return place_on(axes, uvw);
         };
         return finish_volume(std::move(volume), finish, options_);
     }

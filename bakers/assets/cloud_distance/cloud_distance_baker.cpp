@@ -26,7 +26,7 @@ Outcome<Baked> bake(const Parameters& parameters, const CloudDistanceBake& asset
     const CloudVolumeBake& of = source_volume(parameters, asset.of);
     const Cloud& cloud = cloud_named(parameters, of.cloud);
     Baked volume = labelled_volume(std::move(label));
-    const Outcome<Baked> held = hold_source_volume(parameters, asset.of, options, volume);
+    const Outcome<Baked> held = hold_source_volume(parameters, asset.of, options, volume.details);
     if (!held.value) return {{}, held.diagnostics};
     const Baked& voxels = *held.value;
     const double wisp_height = cloud.detail.empty() ? kUsualWispHeight : cloud.wisp_height;

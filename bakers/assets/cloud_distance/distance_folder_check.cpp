@@ -6,14 +6,12 @@
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "bakers/assets/cloud_distance/cloud_distance.h"
 #include "bakers/assets/cloud_distance/distance_check.h"
 #include "bakers/assets/cloud_volume/cloud_volume.h"
 #include "bakers/assets/sources/source_files.h"
-#include "bakers/io/manifest/asset_files.h"
 #include "bakers/occupancy/cloud_bits.h"
 #include "config/assets/cloud_distance.h"
 #include "config/assets/cloud_volume.h"
@@ -30,44 +28,6 @@ constexpr int kRays = 10000;
 
 using Distances = RecordedSource<CloudDistanceBake>;
 
-// The first channel of a file; nothing where it cannot be read, which fails elsewhere.
-std::optional<std::vector<float>> stored_distances(const std::filesystem::path& folder,
-                                                   const ManifestAsset& asset,
-                                                   const ManifestFile& file) {
-    const std::size_t channels = asset.channels.size();
-    std::vector<float> distances;
-    const auto read = read_asset_file(folder / file.path, asset, file, 0,
-                                      [&](std::int64_t, std::int64_t count, const float* values) {
-                                          for (std::int64_t i = 0; i < count; ++i) {
-                                              distances.push_back(*values);
-                                              values += channels;
-                                          }
-                                          return true;
-                                      });
-    return read.value ? std::optional(std::move(distances)) : std::nullopt;
-}
-
-std::optional<VoxelBits> stored_bits(const std::filesystem::path& folder,
-                                     const ManifestAsset& volume, const ManifestFile& file,
-                                     std::size_t channel, float threshold) {
-    const std::array<int, 3>& size = volume.levels.front().size;
-    VoxelBits bits(size);
-    const auto read = read_asset_file(
-        folder / file.path, volume, file, 0,
-        [&](std::int64_t first, std::int64_t count, const float* values) {
-            for (std::int64_t i = first; i < first + count; ++i) {
-                if (values[channel] > threshold) {
-                    const std::int64_t row = i / size[0];
-                    bits.set(static_cast<int>(i % size[0]), static_cast<int>(row % size[1]),
-                             static_cast<int>(row / size[1]));
-                }
-                values += volume.channels.size();
-            }
-            return true;
-        });
-    return read.value ? std::optional(std::move(bits)) : std::nullopt;
-}
-
 // Returns the fault of the distances to `volume`, in words; empty: none.
 std::string fault_of(const std::filesystem::path& folder, const ManifestAsset& asset,
                      const ManifestAsset& volume, const Distances& wanted) {
@@ -83,13 +43,22 @@ std::string fault_of(const std::filesystem::path& folder, const ManifestAsset& a
                            wanted.bake.cell);
     }
     const std::array<double, 3> voxel_m = config::voxel_edges(wanted.cloud, wanted.of);
-    const auto distances = stored_distances(folder, asset, *file);
-    const auto bits =
-        stored_bits(folder, volume, *voxels_file, *channel, filtered_threshold(wanted.cloud));
-    if (!distances || !bits) return "";
+    const float threshold = filtered_threshold(wanted.cloud);
+    std::vector<float> distances;
+    VoxelBits bits(voxels);
+    const auto set_bit = [&](std::int64_t i, float value) {
+        if (!(value > threshold)) return;
+        const std::int64_t row = i / voxels[0];
+        bits.set(static_cast<int>(i % voxels[0]), static_cast<int>(row % voxels[1]),
+                 static_cast<int>(row / voxels[1]));
+    };
+    const bool are_read = read_channel(folder, asset, *file, 0,
+                                       [&](std::int64_t, float m) { distances.push_back(m); }) &&
+                          read_channel(folder, volume, *voxels_file, *channel, set_bit);
+    if (!are_read) return "";
     const occupancy::DistanceCheckResult found = check_distances(
-        {texels, distances->data(), wanted.bake.cell}, distance_code(wanted.bake, voxel_m),
-        occupancy::NearestVoxel(*bits, voxel_m), voxels, voxel_m, kPoints, kRays, {});
+        {texels, distances.data(), wanted.bake.cell}, distance_code(wanted.bake, voxel_m),
+        occupancy::NearestVoxel(bits, voxel_m), voxels, voxel_m, kPoints, kRays, {});
     if (!found.failed()) return "";
     return fmt::format(
         "of {} distances to {}, {} are too far and {} are nearer than they need be, by up to "

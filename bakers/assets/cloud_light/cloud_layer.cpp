@@ -4,8 +4,7 @@
 #include <cmath>
 
 #include "bakers/field/baked.h"
-#include "bakers/field/pixel_type.h"
-#include "bakers/math/parallel.h"
+#include "bakers/field/voxel_array.h"
 #include "bakers/math/transcendental.h"
 #include "bakers/occupancy/cell_grid.h"
 #include "config/assets/occupancy_filter.h"
@@ -24,14 +23,7 @@ CloudLayer make_layer(const Baked& volume, std::size_t channel, const Cloud& clo
     }
     layer.optics = cloud_optics(cloud);
     layer.values.resize(occupancy::count_of(level.size));
-    const std::size_t plane = layer.values.size() / static_cast<std::size_t>(level.size[2]);
-    for_each_tile(level.size[2], options, "voxels", [&](int z) {
-        std::vector<float*> channels(volume.channel_names.size(), nullptr);
-        float* const out = layer.values.data() + static_cast<std::size_t>(z) * plane;
-        channels[channel] = out;
-        level.voxels->fill({{0, 0, z}, {level.size[0], level.size[1], 1}}, channels);
-        round_values(out, plane, volume.pixel_type);
-    });
+    read_channel(volume, channel, options, layer.values.data());
     return layer;
 }
 

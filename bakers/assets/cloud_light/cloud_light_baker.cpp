@@ -1,7 +1,9 @@
 // The baker of asset = "cloud_light".
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
@@ -37,7 +39,7 @@ Outcome<Baked> bake(const Parameters& parameters, const CloudLightBake& asset,
                     const BakeOptions& options, AssetLabel label) {
     const CloudVolumeBake& of = source_volume(parameters, asset.of);
     Baked volume = labelled_volume(std::move(label));
-    const Outcome<Baked> held = hold_source_volume(parameters, asset.of, options, volume);
+    const Outcome<Baked> held = hold_source_volume(parameters, asset.of, options, volume.details);
     if (!held.value) return {{}, held.diagnostics};
     const Baked& voxels = *held.value;
     const Cloud cloud = spanned_cloud(parameters, of);
@@ -63,9 +65,8 @@ Outcome<Baked> bake(const Parameters& parameters, const CloudLightBake& asset,
 std::vector<Need> needs(const Parameters& parameters, const CloudLightBake& asset, Certification) {
     std::vector<Need> needs = cloud_light::sky_needs(parameters, asset);
     if (auto solution = shared_solution(parameters, asset)) needs.push_back(*std::move(solution));
-    for (Need& need : needs_of_voxels(parameters, source_volume(parameters, asset.of))) {
-        needs.push_back(std::move(need));
-    }
+    std::ranges::move(needs_of_voxels(parameters, source_volume(parameters, asset.of)),
+                      std::back_inserter(needs));
     return needs;
 }
 

@@ -11,23 +11,17 @@
 #include "bakers/assets/cloud_light/radiance_volume.h"
 #include "bakers/assets/cloud_light/texel_fit.h"
 #include "bakers/assets/description/asset_label.h"
+#include "bakers/assets/description/probe_places.h"
 #include "bakers/field/baked.h"
 #include "bakers/field/finish_volume.h"
-#include "bakers/field/voxel_array.h"
 #include "bakers/math/parallel.h"
 #include "bakers/occupancy/cell_grid.h"
-#include "config/fields/fields.h"
 
 namespace skybake {
 namespace {
 
 using cloud_light::CloudLayer;
 using cloud_light::LightChannels;
-
-std::string_view word_of(CloudLightContents contents) {
-    const config::Section& section = *config::find_section("bake.*", "cloud_light");
-    return config::choice_name(*config::find_field(section, "contents"), contents);
-}
 
 // In the order of the enumerators.
 constexpr std::string_view kMeanings[] = {
@@ -70,7 +64,7 @@ void add_details(const CloudLayer& layer, const CloudLightBake& bake, Baked& vol
         volume.details.emplace_back(std::move(key), std::move(value));
     };
     add("of", bake.of);
-    add("contents", std::string(word_of(bake.contents)));
+    add("contents", word_of("cloud_light", "contents", bake.contents));
     add("cell", static_cast<double>(bake.cell));
     add("extinction_scale_per_m", layer.optics.extinction_per_m);
     const auto add_sun = [&](std::string key, const glm::dvec3& sun) {
@@ -99,37 +93,26 @@ void add_details(const CloudLayer& layer, const CloudLightBake& bake, Baked& vol
 }
 
 // The range of each channel's texels.
-std::vector<std::array<double, 2>> texel_ranges(const Level& level, std::size_t channels) {
-    std::vector<std::array<double, 2>> ranges(channels, {0, 1});
-    std::vector<float> values(static_cast<std::size_t>(VoxelBox{{}, level.size}.count()));
-    for (std::size_t c = 0; c < channels; ++c) {
-        std::vector<float*> wanted(channels, nullptr);
-        wanted[c] = values.data();
-        level.voxels->fill({{}, level.size}, wanted);
-        const auto [least, most] = std::ranges::minmax_element(values);
-        if (*most > *least) ranges[c] = {*least, *most};
+std::vector<std::array<double, 2>> texel_ranges(const VoxelArray& texels) {
+    std::vector<std::array<double, 2>> ranges;
+    for (std::size_t c = 0; c < texels.channels(); ++c) {
+        const auto [least, most] = std::ranges::minmax_element(texels.channel(c));
+        if (*most > *least) {
+            ranges.push_back({*least, *most});
+        } else {
+            ranges.push_back({0, 1});
+        }
     }
     return ranges;
 }
 
-ProbePlace probe_place(const Baked& of, bool is_map, std::array<double, 3> uvw) {
-    if (is_map) uvw[2] = 0.5;
-    ProbePlace place{{}, {{uvw}}};
-    for (std::size_t i = 0; i < 3; ++i) {
-        const double extent = of.axes[i].last - of.axes[i].first;
-        const double share = is_map && i == 2 ? 0 : uvw[i];
-        place.at.emplace_back(of.axes[i].quantity, of.axes[i].first + share * extent);
-    }
-    return place;
-}
-
-VolumeFinish finish_of(const Baked& of, const CloudLayer& layer, const CloudLightBake& bake,
-                       const Level& level, const BakeOptions& options) {
+VolumeFinish finish_of(const Baked& volume, const CloudLayer& layer, const CloudLightBake& bake,
+                       const BakeOptions& options) {
     VolumeFinish finish;
     const bool is_map = bake.contents == CloudLightContents::shadow;
-    finish.histogram_ranges = texel_ranges(level, config::channels_of(bake));
-    finish.probe_place = [&of, is_map](const std::array<double, 3>& uvw, int) {
-        return probe_place(of, is_map, uvw);
+    finish.probe_place = [axes = volume.axes, is_map](std::array<double, 3> uvw, int) {
+        if (is_map) uvw[2] = 0.5;
+        return place_on(axes, uvw);
     };
     if (options.certification == Certification::off) return finish;
     CloudLightTruth truth = cloud_light_truth(layer, bake, options.threads);
@@ -200,10 +183,10 @@ SpacedValues cloud_light_values(const CloudLayer& layer, const CloudLightBake& b
     return values;
 }
 
-std::shared_ptr<const VoxelSource> fitted_texels(const SpacedValues& values,
-                                                 const std::array<int, 3>& size,
-                                                 const CloudLightBake& bake,
-                                                 const BakeOptions& options) {
+std::shared_ptr<const VoxelArray> fitted_texels(const SpacedValues& values,
+                                                const std::array<int, 3>& size,
+                                                const CloudLightBake& bake,
+                                                const BakeOptions& options) {
     const auto bounds = bounds_of(bake, values.channels.size());
     const auto shown = config::is_depth(bake.contents) ? cloud_light::ShownAs::sunlight
                                                        : cloud_light::ShownAs::itself;
@@ -231,25 +214,24 @@ Outcome<Baked> bake_cloud_light(const Baked& of, const CloudLayer& layer,
     volume.channel_names = names_of_channels(config::channels_of(bake));
     volume.grid_names = volume.channel_names;
     set_files(bake, volume);
-    Level level;
-    level.size = cloud_light_size(layer.size, bake);
+    const std::array<int, 3> size = cloud_light_size(layer.size, bake);
     for (std::size_t i = 0; i < 3; ++i) {
-        volume.voxel_size_m[i] = of.voxel_size_m[i] * layer.size[i] / level.size[i];
+        volume.voxel_size_m[i] = of.voxel_size_m[i] * layer.size[i] / size[i];
     }
     volume.minimum_m = of.minimum_m;
     volume.up_axis = of.up_axis;
     volume.conventions = of.conventions;
     if (config::is_radiance(bake.contents)) volume.conventions.radiance_unit = "1/sr";
     add_details(layer, bake, volume);
-    level.repeats = repeating_axes(volume.axes);
     SpacedValues values =
         cloud_light_values(layer, bake, cloud_light_spacing(bake), options, volume.details);
     if (options.cancelled()) return {};
-    level.voxels = fitted_texels(values, level.size, bake, options);
+    const auto texels = fitted_texels(values, size, bake, options);
     if (options.cancelled()) return {};
-    volume.levels.push_back(std::move(level));
+    add_voxels(size, texels, volume);
     add_mip_levels(bake.mips, options, volume);
-    VolumeFinish finish = finish_of(of, layer, bake, volume.levels.front(), options);
+    VolumeFinish finish = finish_of(volume, layer, bake, options);
+    finish.histogram_ranges = texel_ranges(*texels);
     finish.sampled = volume.levels.front();
     finish.sampled->size = values.places.count;
     finish.sampled->voxels =

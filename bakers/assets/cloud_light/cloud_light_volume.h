@@ -7,7 +7,7 @@
 
 #include "bakers/assets/cloud_light/cloud_layer.h"
 #include "bakers/assets/cloud_light/depth_sweep.h"
-#include "bakers/field/level.h"
+#include "bakers/field/voxel_array.h"
 #include "bakers/math/bake_options.h"
 #include "bakers/math/facts.h"
 #include "config/assets/cloud_light.h"
@@ -49,9 +49,9 @@ SpacedValues cloud_light_values(const cloud_light::CloudLayer& layer, const Clou
                                 int spacing, const BakeOptions& options, Facts& details);
 
 // Returns the texels whose lookups are nearest to the values. They are of no use after an interruption.
-std::shared_ptr<const VoxelSource> fitted_texels(const SpacedValues& values,
-                                                 const std::array<int, 3>& size,
-                                                 const CloudLightBake& bake,
-                                                 const BakeOptions& options);
+std::shared_ptr<const VoxelArray> fitted_texels(const SpacedValues& values,
+                                                const std::array<int, 3>& size,
+                                                const CloudLightBake& bake,
+                                                const BakeOptions& options);
 
 }  // namespace skybake

@@ -262,15 +262,4 @@ TracedRadiance CloudPaths::trace(const glm::dvec3& place, const glm::dvec3& dire
             std::sqrt(variance / (paths - 1)), sum.collisions};
 }
 
-double CloudPaths::transmittance(const glm::dvec3& place, const glm::dvec3& direction, int flights,
-                                 std::uint64_t seed) const {
-    int through = 0;
-    for (int i = 0; i < flights; ++i) {
-        RandomStream random(seed, 0, static_cast<std::uint64_t>(i));
-        glm::dvec3 at = place;
-        if (!fly(at, direction, random)) ++through;
-    }
-    return static_cast<double>(through) / flights;
-}
-
 }  // namespace skybake::cloud_light

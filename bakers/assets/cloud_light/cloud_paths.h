@@ -66,10 +66,6 @@ class CloudPaths {
     void walk(const glm::dvec3& place, const glm::dvec3& direction, RandomStream& random,
               TracedRadiance& sum) const;
 
-    // The mean of exp(-optical depth) over flights from a place to the layer's faces.
-    double transmittance(const glm::dvec3& place, const glm::dvec3& direction, int flights,
-                         std::uint64_t seed) const;
-
   private:
     struct Particle {
         glm::dvec3 place{};

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <numbers>
 #include <utility>
@@ -181,11 +182,8 @@ Diagnostic black_sky(const std::string& name, double altitude_km) {
 std::vector<Need> sky_needs(const Parameters& parameters, const CloudLightBake& bake) {
     if (!has_sky(bake)) return {};
     std::vector<Need> needs = color_needs(parameters);
-    for (const config::Atmosphere& packet : packets_of(parameters.atmosphere)) {
-        for (Need& need : light_needs(packet, config::SkyOrders::all, true)) {
-            needs.push_back(std::move(need));
-        }
-    }
+    std::ranges::move(light_needs(packets_of(parameters.atmosphere), config::SkyOrders::all, true),
+                      std::back_inserter(needs));
     return needs;
 }
 

@@ -107,7 +107,7 @@ RadianceSweep::RadianceSweep(const LayerCells& cells, int degree, int threads)
             const double cosine = sky.direction.z;
             const double tangent = std::sqrt(1 - cosine * cosine) / cosine;
             const double cells_across = tangent * edge_m_[2] / std::min(edge_m_[0], edge_m_[1]);
-            nodes_.push_back({std::max(1, static_cast<int>(std::ceil(cells_across))), tangent});
+            steps_.push_back(std::max(1, static_cast<int>(std::ceil(cells_across))));
             fill_passing(cells, node, cosine, sky.solid_angle * kAzimuths / (2 * std::numbers::pi),
                          threads);
         }
@@ -124,7 +124,7 @@ std::vector<SkyDirection> RadianceSweep::sky_ordinates() const {
 
 void RadianceSweep::fill_passing(const LayerCells& cells, std::size_t node, double cosine,
                                  double share_of_sphere, int threads) {
-    const double length = edge_m_[2] / (cosine * nodes_[node].steps);
+    const double length = edge_m_[2] / (cosine * steps_[node]);
     parallel_for(size_[2], threads, [&](int z) {
         for (int y = 0; y < size_[1]; ++y) {
             const float* extinction = cells.extinction.row(0, z, y);
@@ -154,7 +154,7 @@ void RadianceSweep::step(const Ordinate& ordinate, int z, int y, Rays& rays) con
     step.passing = passing_.row(ordinate.node, z, y);
     step.mean_passing = mean_passing_.row(ordinate.node, z, y);
     step.source = rays.source.row(0, 0, y);
-    step.part = 1 / static_cast<float>(nodes_[ordinate.node].steps);
+    step.part = 1 / static_cast<float>(steps_[ordinate.node]);
     float* after = rays.after.row(0, 0, y) + kRowSlack;
     step_row(step, count, after, rays.mean.row(0, 0, y));
     after[-1] = after[count - 1];
@@ -175,11 +175,11 @@ void RadianceSweep::send_out_row(const CellFields& sources, int z, int y,
 void RadianceSweep::cross_plane(int z, Rays& rays) const {
     const Ordinate& ordinate = rays.ordinate;
     for (int y = 0; y < size_[1]; ++y) std::fill_n(rays.mean.row(0, 0, y), size_[0], 0.0F);
-    const Node& node = nodes_[ordinate.node];
+    const int steps = steps_[ordinate.node];
     std::array<double, 2> moved{};  // cells in a step
     for (std::size_t a = 0; a < 2; ++a) {
         moved[a] = ordinate.direction[a] / std::fabs(ordinate.direction.z) * edge_m_[2] /
-                   (edge_m_[a] * node.steps);
+                   (edge_m_[a] * steps);
         rays.upwind[a] = moved[a] > 0 ? -1 : 1;
         moved[a] = std::min(std::fabs(moved[a]), 1.0);  // rounding
     }
@@ -187,7 +187,7 @@ void RadianceSweep::cross_plane(int z, Rays& rays) const {
                   static_cast<float>(moved[0] * (1 - moved[1])),
                   static_cast<float>((1 - moved[0]) * moved[1]),
                   static_cast<float>(moved[0] * moved[1])};
-    for (int i = 0; i < node.steps; ++i) {
+    for (int i = 0; i < steps; ++i) {
         for (int y = 0; y < size_[1]; ++y) step(ordinate, z, y, rays);
         std::swap(rays.before, rays.after);
     }

@@ -91,22 +91,15 @@ class RadianceSweep {
     // The share of what a cell sends out, in all directions alike, that its own mean radiance lacks.
     const CellFields& leaving() const { return leaving_; }
 
-    // Directions in which rays go.
-    std::size_t directions() const { return 2 * downward_.size(); }
-
     // The directions in which the sky is seen from which rays come, in the order of
     // EnteringLight::sky_shape.
     std::vector<SkyDirection> sky_ordinates() const;
 
   private:
-    struct Node {  // of the zenith angle
-        int steps = 1;
-        double tangent = 0;
-    };
     struct Ordinate {
         glm::dvec3 direction{};
         double solid_angle = 0;
-        std::size_t node = 0;
+        std::size_t node = 0;  // of the zenith angle
     };
     struct Rays;
 
@@ -122,7 +115,7 @@ class RadianceSweep {
     std::array<int, 3> size_;
     std::array<double, 3> edge_m_;
     std::size_t coefficients_;
-    std::vector<Node> nodes_;
+    std::vector<int> steps_;          // across a plane, of each node
     std::vector<Ordinate> downward_;  // of the lower hemisphere
     CellFields passing_;              // one field for each node
     CellFields mean_passing_;

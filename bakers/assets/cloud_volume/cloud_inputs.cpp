@@ -12,15 +12,10 @@
 #include "bakers/clouds/grown_volume.h"
 #include "bakers/io/formats/png/map_image.h"
 #include "bakers/io/volumes/volume_reader.h"
+#include "config/diagnostics/diagnostic_codes.h"
 
 namespace skybake {
 namespace {
-
-bool has_errors(const std::vector<Diagnostic>& diagnostics) {
-    return std::ranges::any_of(diagnostics, [](const Diagnostic& diagnostic) {
-        return diagnostic.severity == Severity::error;
-    });
-}
 
 // None where the cloud names no map, and after an error.
 std::optional<cloud::MapLookup> read_map(const config::CloudMap& map, const char* key,
@@ -150,7 +145,7 @@ Outcome<CloudInputs> cloud_inputs(const Parameters& parameters, const CloudVolum
     inputs.maps.coverage =
         read_map(cloud.coverage_map, "coverage_map", details, outcome.diagnostics);
     inputs.maps.type = read_map(cloud.type_map, "type_map", details, outcome.diagnostics);
-    if (!has_errors(outcome.diagnostics) && bake.cover) {
+    if (config::exit_code(outcome.diagnostics) == 0 && bake.cover) {
         const auto found = found_cover(parameters, bake, inputs, options);
         if (!found) return {};
         inputs.coverage = found->coverage;
@@ -162,7 +157,7 @@ Outcome<CloudInputs> cloud_inputs(const Parameters& parameters, const CloudVolum
             outcome.diagnostics.push_back(std::move(*problem));
         }
     }
-    if (!has_errors(outcome.diagnostics)) outcome.value = std::move(inputs);
+    if (config::exit_code(outcome.diagnostics) == 0) outcome.value = std::move(inputs);
     return outcome;
 }
 

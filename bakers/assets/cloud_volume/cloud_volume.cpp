@@ -264,8 +264,6 @@ Outcome<Baked> bake_cloud_volume(const Cloud& cloud, const CloudVolumeBake& bake
              [reference](const std::array<double, 3>& place) { return (*reference)(place); },
          .reference_name = "the cloud's definition in double precision, point by point",
          .expensive = reference->is_expensive(),
-         .comparison = {},
-         .measure = {},
          .probe_place = [spanned = config::stretched(cloud, bake)](
                             const std::array<double, 3>& uvw,
                             int) { return place_of(spanned, uvw); },

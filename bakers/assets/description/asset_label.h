@@ -3,9 +3,11 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bakers/math/facts.h"
+#include "config/fields/fields.h"
 #include "config/sections/forward.h"
 
 namespace skybake {
@@ -23,6 +25,13 @@ std::vector<std::string> names_of_channels(std::size_t count);
 
 // Returns the names of channels that are the recipe's wavelengths.
 std::vector<std::string> colour_names(const Parameters& parameters);
+
+// Returns the word that recipes have for a choice of a key.
+template <class Choice>
+std::string word_of(std::string_view asset, std::string_view key, Choice choice) {
+    const config::Section& section = *config::find_section("bake.*", asset);
+    return std::string(config::choice_name(*config::find_field(section, key), choice));
+}
 
 // Return a labelled asset of the sky, whose bakers add what the values mean.
 Baked labelled_table(const Parameters& parameters, AssetLabel label);

@@ -10,6 +10,7 @@
 
 #include "bakers/air/ray.h"
 #include "bakers/field/choose_probes.h"
+#include "bakers/field/conventions.h"
 #include "bakers/field/level.h"
 #include "bakers/field/wrong_lookups.h"
 #include "config/sections/atmosphere.h"
@@ -37,6 +38,16 @@ inline AssetPlaces single_lookup(std::vector<std::string> names,
     return {std::move(names), [uvw = std::move(uvw)](const Probe& probe, int) {
                 return std::vector<ProbeLookup>{{uvw(probe.at)}};
             }};
+}
+
+// Returns the probe's place at texture coordinates of linear axes.
+inline ProbePlace place_on(const std::vector<AxisMapping>& axes, const std::array<double, 3>& uvw) {
+    ProbePlace place{{}, {{uvw}}};
+    for (std::size_t i = 0; i < 3; ++i) {
+        place.at.emplace_back(axes[i].quantity,
+                              axes[i].first + uvw[i] * (axes[i].last - axes[i].first));
+    }
+    return place;
 }
 
 inline Shell shell_of(const config::Atmosphere& atmosphere) {

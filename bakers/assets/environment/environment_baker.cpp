@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,16 +11,15 @@
 #include <vector>
 
 #include "bakers/assets/cloud_light/march_light.h"
-#include "bakers/assets/cloud_volume/cloud_volume.h"
 #include "bakers/assets/environment/environment_clouds.h"
 #include "bakers/assets/environment/environment_mapping.h"
 #include "bakers/assets/environment/environment_table.h"
 #include "bakers/assets/registry/baker.h"
 #include "bakers/assets/sky/sky_asset.h"
 #include "bakers/assets/sky/traced_light.h"
+#include "bakers/assets/sources/source_volume.h"
 #include "bakers/light/sky_light.h"
 #include "bakers/light/sky_view_mapping.h"
-#include "config/assets/cloud_volume.h"
 #include "config/assets/environment.h"
 #include "config/sections/parameters.h"
 
@@ -36,29 +36,24 @@ Outcome<Baked> bake(const Parameters& parameters, const EnvironmentBake& asset,
         return std::make_unique<SkyLight>(atmosphere, asset.orders, asset.layers, options);
     });
     lights.multiply(solar_irradiance_of(asset));
-    return bake_of_light(lights, label.name, options, [&](const SkyLights& found) {
+    return bake_of_light(lights, label.name, options, [&] {
         Baked table = labelled_light_table(parameters, std::move(label));
         // The lights tell the lux of colours.
-        if (found.makes_colors()) {
+        if (lights.makes_colors()) {
             table.conventions.color = color_convention(*parameters.color, {}, true);
         }
         const Outcome<std::vector<CloudMedium>> media =
             clouds_of_environment(parameters, asset, options, table.details);
         if (!media.value) return Outcome<Baked>{{}, media.diagnostics};
-        return bake_environment(found, asset, options, std::move(table), *media.value);
+        return bake_environment(lights, asset, options, std::move(table), *media.value);
     });
 }
 
-const CloudVolumeBake& clouds_named(const Parameters& parameters, const std::string& name) {
-    return bake_named(parameters, name).as<CloudVolumeBake>();
-}
-
 std::vector<Need> needs(const Parameters& parameters, const EnvironmentBake& asset, Certification) {
-    std::vector<Need> needs = light_needs(parameters, asset.orders, true);
+    std::vector<Need> needs = light_needs(light_packets(parameters), asset.orders, true);
     for (const std::string& clouds : asset.clouds) {
-        for (Need& need : needs_of_voxels(parameters, clouds_named(parameters, clouds))) {
-            needs.push_back(std::move(need));
-        }
+        std::ranges::move(needs_of_voxels(parameters, source_volume(parameters, clouds)),
+                          std::back_inserter(needs));
     }
     return needs;
 }
@@ -70,7 +65,7 @@ Estimate estimate(const Parameters& parameters, const EnvironmentBake& asset) {
     const double texels = double(asset.size[0]) * asset.size[1];
     const double rays = texels * asset.samples * asset.samples / 2;
     for (const std::string& clouds : asset.clouds) {
-        const CloudVolumeBake& of = clouds_named(parameters, clouds);
+        const CloudVolumeBake& of = source_volume(parameters, clouds);
         const Estimate voxels = estimate_cloud_volume(parameters, of);
         const Estimate light = cloud_light::march_light_estimate(voxels_of(of.size, 1));
         result.seconds += voxels.seconds + light.seconds + kSecondsPerRay * rays;
@@ -84,7 +79,7 @@ Estimate estimate(const Parameters& parameters, const EnvironmentBake& asset) {
 // A lookup of a part stays within it.
 Uvw uvw_in_part(const EnvironmentLayout& layout, int level, const MapAngles& angles) {
     const EnvironmentLayout::At at = layout.at(direction_of_angles(angles));
-    const double margin = 0.5 / std::max(layout.part_size()[0] >> level, 1);
+    const double margin = 0.5 / std::max(layout.part_size().columns >> level, 1);
     const double x = std::clamp(at.x, margin, 1 - margin);
     const double y = std::clamp(at.y, margin, 1 - margin);
     return {x, (at.part + y) / layout.parts(), 0.5};
@@ -172,9 +167,8 @@ void draft(EnvironmentBake& asset, int) {
 std::vector<InputFile> inputs(const Parameters& parameters, const EnvironmentBake& asset) {
     std::vector<InputFile> files;
     for (const std::string& clouds : asset.clouds) {
-        for (InputFile& file : cloud_volume_inputs(parameters, clouds_named(parameters, clouds))) {
-            files.push_back(std::move(file));
-        }
+        std::ranges::move(cloud_volume_inputs(parameters, source_volume(parameters, clouds)),
+                          std::back_inserter(files));
     }
     return files;
 }

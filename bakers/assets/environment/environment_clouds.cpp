@@ -7,15 +7,13 @@
 #include <utility>
 
 #include "bakers/assets/cloud_light/march_light.h"
-#include "bakers/assets/cloud_volume/cloud_inputs.h"
-#include "bakers/assets/cloud_volume/cloud_volume.h"
+#include "bakers/assets/sources/source_volume.h"
 #include "bakers/field/baked.h"
-#include "bakers/field/block_voxels.h"
-#include "bakers/field/pixel_type.h"
+#include "bakers/field/voxel_array.h"
 #include "bakers/light/sky_ray.h"
 #include "bakers/math/parallel.h"
 #include "bakers/math/transcendental.h"
-#include "config/assets/cloud_volume.h"
+#include "bakers/occupancy/cell_grid.h"
 #include "config/assets/environment.h"
 
 namespace skybake {
@@ -28,22 +26,6 @@ constexpr int kChannelsOfLayer = 6;
 constexpr int kReferenceEdge = 8;
 // Cells of voxels that rays leap over.
 constexpr int kLeapCell = 4;
-
-// Returns the voxels of the first channel of a volume, as files of its pixel type hold them.
-std::vector<float> first_channel_of(const Baked& volume, const BakeOptions& options) {
-    const Level& level = volume.levels.front();
-    const auto plane =
-        static_cast<std::size_t>(level.size[0]) * static_cast<std::size_t>(level.size[1]);
-    std::vector<float> voxels(plane * static_cast<std::size_t>(level.size[2]));
-    for_each_tile(level.size[2], options, "voxels of clouds", [&](int z) {
-        float* slice = voxels.data() + static_cast<std::size_t>(z) * plane;
-        std::vector<float*> channels(volume.channel_names.size(), nullptr);
-        channels.front() = slice;
-        level.voxels->fill({{0, 0, z}, {level.size[0], level.size[1], 1}}, channels);
-        if (!is_block_coded(volume.pixel_type)) round_values(slice, plane, volume.pixel_type);
-    });
-    return voxels;
-}
 
 SunDirection sun_direction_of(const EnvironmentBake& bake) {
     return {bake.sun_elevation.radians * kDegreesPerRadian,
@@ -142,14 +124,11 @@ double fraction_of(double value) { return value - std::floor(value); }
 
 Outcome<CloudMedium> medium_of(const config::Parameters& parameters, const std::string& clouds,
                                const BakeOptions& options, Facts& details) {
-    const auto& of = bake_named(parameters, clouds).as<config::CloudVolumeBake>();
-    const Outcome<CloudInputs> inputs = cloud_inputs(parameters, of, details, options);
-    if (!inputs.value) return {{}, inputs.diagnostics};
-    Baked volume =
-        hold_cloud_volume(cloud_named(parameters, of.cloud), of, *inputs.value, options, {});
-    if (options.cancelled()) return {};
-    code_levels(volume);
-    const std::vector<float> voxels = first_channel_of(volume, options);
+    const CloudVolumeBake& of = source_volume(parameters, clouds);
+    const Outcome<Baked> volume = hold_source_volume(parameters, clouds, options, details);
+    if (!volume.value) return {{}, volume.diagnostics};
+    std::vector<float> voxels(occupancy::count_of(of.size));
+    read_channel(*volume.value, 0, options, voxels.data());
     if (options.cancelled()) return {};
     CloudMedium medium =
         cloud_medium(spanned_cloud(parameters, of), voxels.data(), of.size, 1, options.threads);
@@ -182,15 +161,14 @@ CloudsAround::CloudsAround(std::span<const CloudMedium> media, const Environment
              options.threads),
       finer_(layers_of(media_, lights_, bake, sunlit, 2), position_of(bake), sun_direction_of(bake),
              options.threads) {
-    const auto size = layout.part_size();  // Clang captures no structured bindings
-    const int columns = size[0];
-    const int rows = size[1];
+    const auto size = layout.part_size();
     const int channels = kChannelsOfLayer * static_cast<int>(media.size()) + 1;
-    seen_ = Image2<float>(columns, rows * layout.parts(), channels);
+    seen_ = Image2<float>(size.columns, size.rows * layout.parts(), channels);
     const int at_a_time = std::max(RayBlock::kCount / (samples_ * samples_), 1);
     for_each_tile(seen_.height, options, "marching", [&](int line) {
-        for (int first = 0; first < columns; first += at_a_time) {
-            march_texels(line / rows, line % rows, first, std::min(at_a_time, columns - first));
+        for (int first = 0; first < size.columns; first += at_a_time) {
+            march_texels(line / size.rows, line % size.rows, first,
+                         std::min(at_a_time, size.columns - first));
         }
     });
 }
@@ -238,7 +216,7 @@ void CloudsAround::march_texels(int part, int row, int first, int count) {
 }
 
 SeenClouds CloudsAround::texel(int part, int column, int row) const {
-    const float* values = seen_.texel(column, part * layout_.part_size()[1] + row);
+    const float* values = seen_.texel(column, part * layout_.part_size().rows + row);
     SeenClouds seen;
     for (std::size_t l = 0; l < media_.size(); ++l, values += kChannelsOfLayer) {
         seen.layers.push_back({values[0], values[1], values[2], values[3], values[4], values[5]});

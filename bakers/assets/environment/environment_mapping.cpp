@@ -185,23 +185,21 @@ double EnvironmentLayout::density(double x, double y) const {
 }
 
 double EnvironmentLayout::solid_angle(int, int column, int row) const {
-    const auto size = part_size();  // Clang captures no structured bindings
-    const int columns = size[0];
-    const int rows = size[1];
+    const auto size = part_size();
     if (mapping_ == EnvironmentMapping::octahedral) {
-        return solid_angle_on_octahedron(columns, column, row);
+        return solid_angle_on_octahedron(size.columns, column, row);
     }
     if (mapping_ == EnvironmentMapping::equal_area) {
-        return 4 * std::numbers::pi / (double{1} * columns * rows);
+        return 4 * std::numbers::pi / (double{1} * size.columns * size.rows);
     }
     if (mapping_ == EnvironmentMapping::longitude_latitude) {
         const auto sine_at = [&](int edge) {
-            return sine_and_cosine(std::numbers::pi * (0.5 - static_cast<double>(edge) / rows))
+            return sine_and_cosine(std::numbers::pi * (0.5 - static_cast<double>(edge) / size.rows))
                 .sine;
         };
-        return 2 * std::numbers::pi / columns * (sine_at(row) - sine_at(row + 1));
+        return 2 * std::numbers::pi / size.columns * (sine_at(row) - sine_at(row + 1));
     }
-    const auto edge = [&](int i) { return 2.0 * i / columns - 1; };
+    const auto edge = [&](int i) { return 2.0 * i / size.columns - 1; };
     return solid_angle_to(edge(column), edge(row)) +
            solid_angle_to(edge(column + 1), edge(row + 1)) -
            solid_angle_to(edge(column), edge(row + 1)) -

@@ -46,8 +46,13 @@ class EnvironmentLayout {
 
     config::EnvironmentMapping mapping() const { return mapping_; }
     int parts() const;
-    // The width and height of a part.
-    std::array<int, 2> part_size() const { return {size_[0], size_[1] / parts()}; }
+    // The texels of a part across and down.
+    struct Size {
+        int columns = 0;
+        int rows = 0;
+        bool operator==(const Size&) const = default;
+    };
+    Size part_size() const { return {size_[0], size_[1] / parts()}; }
 
     // Returns the direction at coordinates of a part. Coordinates beyond a part go on where the
     // direction does: over the poles, on a face's plane, and over the edges of the octahedron.

@@ -49,24 +49,18 @@ struct EnvironmentRow {
     }
 };
 
-// Light in directions of a part. `light` writes one texel.
-using LightOfPlace = std::function<void(double x, double y, double* values)>;
-
-void fill_places(const std::vector<double>& x, double y, int channels, double* values,
-                 const LightOfPlace& light) {
-    for (const double coordinate : x) {
-        light(coordinate, y, values);
-        values += channels;
-    }
-}
-
 // Probes stay away from the edges of a part, beyond which coarse levels blend other texels than
 // those of a runtime's neighbouring part.
 std::array<double, 2> off_the_edges_of_part(double x, double y, double margin) {
     return {std::clamp(x, margin, 1 - margin), std::clamp(y, margin, 1 - margin)};
 }
 
-TableModel empty_model(int channels, double lowest) {
+// Light at a place of a part; `values` are one texel.
+using LightOfPlace = std::function<void(double x, double y, double* values)>;
+
+// Returns a model that is made place by place.
+TableModel model_of_places(int channels, double lowest, const LightOfPlace& light,
+                           const LightOfPlace& exact) {
     TableModel model;
     model.channels = channels;
     model.convention = TexelConvention::end_points_on_edges;
@@ -74,6 +68,18 @@ TableModel empty_model(int channels, double lowest) {
     model.lowest = lowest;
     model.highest = std::numeric_limits<double>::max();
     model.error = relative_error;
+    const auto row_of = [channels](const LightOfPlace& any) {
+        return [channels, any](double y, const std::vector<double>& x, double* values) {
+            for (const double coordinate : x) {
+                any(coordinate, y, values);
+                values += channels;
+            }
+        };
+    };
+    model.row = [row = row_of(light)](int, double y, const std::vector<double>& x, double* values) {
+        row(y, x, values);
+    };
+    model.reference = row_of(exact);
     return model;
 }
 
@@ -145,55 +151,39 @@ TableModel EnvironmentModels::clear_rows() const {
 }
 
 TableModel EnvironmentModels::clear_part(int part) const {
-    TableModel model = empty_model(sky_.channels, sky_.lowest);
     const double sun = bake_.sun_azimuth.radians;
-    model.row = [this, part, sun, channels = model.channels](
-                    int, double y, const std::vector<double>& x, double* values) {
-        fill_places(x, y, channels, values, [&](double at_x, double at_y, double* texel) {
-            const MapAngles angles = angles_of(layout_.direction(part, at_x, at_y));
-            around_->at(angles.elevation, (angles.azimuth - sun) / std::numbers::pi, texel);
-        });
+    const auto light = [this, part, sun](double x, double y, double* texel) {
+        const MapAngles angles = angles_of(layout_.direction(part, x, y));
+        around_->at(angles.elevation, (angles.azimuth - sun) / std::numbers::pi, texel);
     };
-    model.reference = [this, part, sun, channels = model.channels](
-                          double y, const std::vector<double>& x, double* values) {
-        fill_places(x, y, channels, values, [&](double at_x, double at_y, double* texel) {
-            const MapAngles angles = angles_of(layout_.direction(part, at_x, at_y));
-            const double angle = angles.elevation + camera_.dip();
-            std::fill_n(texel, channels, 0.0);
-            if (!sees_air(camera_, angle)) return;
-            const double turn = turn_from_sun((angles.azimuth - sun) / std::numbers::pi);
-            sky_.reference(camera_.coordinate(angle), {turn}, texel);
-        });
+    const auto exact = [this, part, sun](double x, double y, double* texel) {
+        const MapAngles angles = angles_of(layout_.direction(part, x, y));
+        const double angle = angles.elevation + camera_.dip();
+        std::fill_n(texel, sky_.channels, 0.0);
+        if (!sees_air(camera_, angle)) return;
+        const double turn = turn_from_sun((angles.azimuth - sun) / std::numbers::pi);
+        sky_.reference(camera_.coordinate(angle), {turn}, texel);
     };
-    return model;
+    return model_of_places(sky_.channels, sky_.lowest, light, exact);
 }
 
 TableModel EnvironmentModels::cloudy_packet(const SkyLight& light, int part) const {
     const CloudySky& sky = *cloudy_.at(&light);
     const int channels = light.medium().air.channels;
-    TableModel model = empty_model(channels, 0);
-    model.row = [this, part, &sky, channels](int, double y, const std::vector<double>& x,
-                                             double* values) {
-        const auto size = layout_.part_size();  // Clang captures no structured bindings
-        const int columns = size[0];
-        const int rows = size[1];
-        const int row = std::min(static_cast<int>(y * rows), rows - 1);
-        fill_places(x, y, channels, values, [&](double at_x, double at_y, double* texel) {
-            const int column = std::min(static_cast<int>(at_x * columns), columns - 1);
-            const Spectrum found = sky.radiance(layout_.direction(part, at_x, at_y),
-                                                clouds_->texel(part, column, row), false);
-            std::copy_n(data(found), channels, texel);
-        });
+    const auto light_of = [this, part, &sky, channels](double x, double y, double* texel) {
+        const auto size = layout_.part_size();
+        const int column = std::min(static_cast<int>(x * size.columns), size.columns - 1);
+        const int row = std::min(static_cast<int>(y * size.rows), size.rows - 1);
+        const Spectrum found =
+            sky.radiance(layout_.direction(part, x, y), clouds_->texel(part, column, row), false);
+        std::copy_n(data(found), channels, texel);
     };
-    model.reference = [this, part, &sky, channels](double y, const std::vector<double>& x,
-                                                   double* values) {
-        fill_places(x, y, channels, values, [&](double at_x, double at_y, double* texel) {
-            const Spectrum found = sky.radiance(layout_.direction(part, at_x, at_y),
-                                                clouds_->around(part, at_x, at_y), true);
-            std::copy_n(data(found), channels, texel);
-        });
+    const auto exact = [this, part, &sky, channels](double x, double y, double* texel) {
+        const Spectrum found =
+            sky.radiance(layout_.direction(part, x, y), clouds_->around(part, x, y), true);
+        std::copy_n(data(found), channels, texel);
     };
-    return model;
+    return model_of_places(channels, 0, light_of, exact);
 }
 
 TableModel EnvironmentModels::cloudy_part(int part) const {
@@ -205,7 +195,7 @@ TableModel EnvironmentModels::of_part(int part) const {
     if (!clouds_ && !around_) return clear_rows();
     TableModel model = clouds_ ? cloudy_part(part) : clear_part(part);
     if (layout_.mapping() != EnvironmentMapping::longitude_latitude) {
-        const int coarsest = std::max(layout_.part_size()[0] >> (bake_.mips - 1), 1);
+        const int coarsest = std::max(layout_.part_size().columns >> (bake_.mips - 1), 1);
         model.probe_place = [margin = 0.5 / coarsest](double x, double y) {
             return off_the_edges_of_part(x, y, margin);
         };

@@ -127,21 +127,19 @@ std::vector<SunPoint> merged(const std::vector<SunPoint>& points) {
 
 void add_reflected_sun(const std::vector<SunPoint>& points, const EnvironmentLayout& layout,
                        double roughness, const BakeOptions& options, Image2<double>& level) {
-    const auto size = layout.part_size();  // Clang captures no structured bindings
-    const int columns = size[0];
-    const int rows = size[1];
+    const auto size = layout.part_size();
     const ReflectedLobe lobe(roughness);
     for_each_tile(level.height, options, "roughness", [&](int line) {
-        const int part = line / rows;
-        for (int x = 0; x < columns; ++x) {
+        const int part = line / size.rows;
+        for (int x = 0; x < size.columns; ++x) {
             double* texel = level.texel(x, line);
-            const double width = std::sqrt(layout.solid_angle(part, x, line % rows));
+            const double width = std::sqrt(layout.solid_angle(part, x, line % size.rows));
             const int samples = std::clamp(static_cast<int>(width / lobe.width()) + 1, 1, 8);
             for (int i = 0; i < samples * samples; ++i) {
                 const double along = (i % samples + 0.5) / samples;
                 const double down = (i / samples + 0.5) / samples;
-                const glm::dvec3 normal =
-                    layout.direction(part, (x + along) / columns, (line % rows + down) / rows);
+                const glm::dvec3 normal = layout.direction(part, (x + along) / size.columns,
+                                                           (line % size.rows + down) / size.rows);
                 for (const SunPoint& point : points) {
                     const double share =
                         lobe.density(glm::dot(normal, point.direction)) / (samples * samples);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "bakers/air/ray.h"
+#include "bakers/assets/description/asset_label.h"
 #include "bakers/assets/environment/environment_sun.h"
 #include "bakers/assets/environment/prefilter.h"
 #include "bakers/assets/environment/sphere_harmonics.h"
@@ -84,13 +85,11 @@ std::array<AxisMapping, 2> axes_of_environment(const EnvironmentBake& bake) {
     return axes;
 }
 
-constexpr const char* kMappingWords[] = {"longitude_latitude", "cube", "octahedral", "equal_area"};
-
 void describe_environment(const EnvironmentBake& bake, const SkyViewCamera& camera,
                           const Shell& shell, Baked& table) {
     table.kind = "environment";
     table.content = content_of_environment(bake);
-    table.mapping = kMappingWords[static_cast<std::size_t>(bake.mapping)];
+    table.mapping = word_of("environment", "mapping", bake.mapping);
     const auto axes = axes_of_environment(bake);
     table.axes.assign(axes.begin(), axes.end());
     table.axes[1].constants = shell_constants(shell);
@@ -117,7 +116,8 @@ void describe_environment(const EnvironmentBake& bake, const SkyViewCamera& came
 
 AccuracyRequest request_of_environment(const EnvironmentBake& bake,
                                        const EnvironmentLayout& layout) {
-    AccuracyRequest request = sky_table_request(layout.part_size());
+    AccuracyRequest request =
+        sky_table_request({layout.part_size().columns, layout.part_size().rows});
     // The horizon lies within a row of texels, so more rows must be measured than of sky_view.
     request.quick_search = {64, 36, 8, 6, 64};
     if (bake.has_clouds()) {

@@ -113,7 +113,7 @@ double ReflectedLobe::width() const { return std::sqrt(square_); }
 MapPyramid::MapPyramid(config::EnvironmentMapping mapping, const Image2<float>& map) {
     maps_.push_back(map);
     layouts_.emplace_back(mapping, std::array{map.width, map.height});
-    while (layouts_.back().part_size() != std::array{1, 1}) {
+    while (layouts_.back().part_size() != EnvironmentLayout::Size{1, 1}) {
         maps_.push_back(half_as_large(maps_.back(), layouts_.back()));
         layouts_.emplace_back(mapping, std::array{maps_.back().width, maps_.back().height});
     }
@@ -168,15 +168,13 @@ void MapPyramid::add_from(std::size_t level, const glm::dvec3& direction, double
 Image2<double> prefiltered(const MapPyramid& pyramid, const EnvironmentLayout& layout,
                            double roughness, const BakeOptions& options) {
     const std::vector<LobeSample> lobe = ggx_lobe(roughness);
-    const auto size = layout.part_size();  // Clang captures no structured bindings
-    const int columns = size[0];
-    const int rows = size[1];
-    Image2<double> level(columns, rows * layout.parts(), pyramid.channels());
+    const auto size = layout.part_size();
+    Image2<double> level(size.columns, size.rows * layout.parts(), pyramid.channels());
     for_each_tile(level.height, options, "roughness", [&](int line) {
-        const int part = line / rows;
-        const double y = (line % rows + 0.5) / rows;
-        for (int x = 0; x < columns; ++x) {
-            const glm::dvec3 normal = layout.direction(part, (x + 0.5) / columns, y);
+        const int part = line / size.rows;
+        const double y = (line % size.rows + 0.5) / size.rows;
+        for (int x = 0; x < size.columns; ++x) {
+            const glm::dvec3 normal = layout.direction(part, (x + 0.5) / size.columns, y);
             const Tangents across = tangents_of(normal);
             double* texel = level.texel(x, line);
             for (const LobeSample& sample : lobe) {

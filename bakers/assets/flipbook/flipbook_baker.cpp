@@ -188,8 +188,6 @@ Outcome<Baked> bake_flipbook(const Parameters& parameters, const FlipbookBake& b
     return finish_volume(
         std::move(volume),
         {.histogram_ranges = sequence.usual_ranges(),
-         .reference = {},
-         .reference_name = {},
          .measure = [&sequence](const Baked& baked,
                                 const BakeOptions&) { return certificate_of(sequence, baked); },
          .probe_place = [&sequence](const std::array<double, 3>& uvw,

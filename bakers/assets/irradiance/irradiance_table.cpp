@@ -87,8 +87,8 @@ Outcome<Baked> bake(const Parameters& parameters, const IrradianceBake& asset,
     const SkyLights lights(parameters, options, [&](const config::Atmosphere& atmosphere) {
         return std::make_unique<SkyLight>(atmosphere, orders_of(asset), asset.layers, options);
     });
-    return bake_of_light(lights, label.name, options, [&](const SkyLights& found) {
-        return bake_irradiance(found, asset, options,
+    return bake_of_light(lights, label.name, options, [&] {
+        return bake_irradiance(lights, asset, options,
                                labelled_light_table(parameters, std::move(label)));
     });
 }
@@ -96,7 +96,7 @@ Outcome<Baked> bake(const Parameters& parameters, const IrradianceBake& asset,
 std::vector<Need> needs(const Parameters& parameters, const IrradianceBake& asset, Certification) {
     if (asset.content == config::IrradianceContent::direct) return {};
     const config::SkyOrders orders = orders_of(asset);
-    return light_needs(parameters, orders, orders != config::SkyOrders::multiple);
+    return light_needs(light_packets(parameters), orders, orders != config::SkyOrders::multiple);
 }
 
 Estimate estimate(const Parameters& parameters, const IrradianceBake& asset) {

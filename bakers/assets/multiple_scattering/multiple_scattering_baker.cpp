@@ -58,9 +58,8 @@ Estimate estimate(const Parameters& parameters, const MultipleScatteringBake& as
 AssetPlaces places(const Parameters& parameters, const MultipleScatteringBake& asset,
                    const StoredTexels& stored) {
     constexpr auto kConvention = TexelConvention::end_points_on_texel_centres;
-    const Shell shell = shell_of(parameters.atmosphere);
-    const SunColumns columns =
-        sun_columns(asset.mapping, is_solved(asset) ? parameters.scene : std::nullopt, shell);
+    const double thickness_km = shell_of(parameters.atmosphere).thickness_km;
+    const SunColumns columns = sun_columns_of(parameters, asset);
     const int tables = tables_of(asset);
     std::vector<std::string> names = {"altitude_km", "sun_cos_zenith"};
     if (tables > 1) names.insert(names.end(), {"l", "m"});
@@ -68,8 +67,8 @@ AssetPlaces places(const Parameters& parameters, const MultipleScatteringBake& a
         const int part = tables == 1 ? 0
                                      : moment_index(static_cast<int>(at[2].second),
                                                     static_cast<int>(at[3].second));
-        const double v = texture_coordinate(kConvention, at[0].second / shell.thickness_km,
-                                            stored.size[1] / tables);
+        const double v =
+            texture_coordinate(kConvention, at[0].second / thickness_km, stored.size[1] / tables);
         const double x = columns.coordinate(at[1].second);
         return Uvw{texture_coordinate(kConvention, x, stored.size[0]), (part + v) / tables, 0.5};
     });
@@ -82,11 +81,9 @@ struct SunArguments {
 };
 
 SunArguments sun_arguments(const Parameters& parameters, const MultipleScatteringBake& asset) {
-    const Shell shell = shell_of(parameters.atmosphere);
-    const SunColumns columns =
-        sun_columns(asset.mapping, is_solved(asset) ? parameters.scene : std::nullopt, shell);
+    const SunColumns columns = sun_columns_of(parameters, asset);
     const bool twilight = asset.mapping == config::MultipleScatteringMapping::twilight;
-    return {glsl_number(shell.thickness_km),
+    return {glsl_number(shell_of(parameters.atmosphere).thickness_km),
             fmt::format("{}, vec2({}, {})", twilight, glsl_number(columns.first),
                         glsl_number(columns.last - columns.first))};
 }

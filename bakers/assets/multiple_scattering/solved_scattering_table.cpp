@@ -236,15 +236,19 @@ int tables_of(const MultipleScatteringBake& asset) {
     return is_solved(asset) && moments ? moment_count(asset.degree) : 1;
 }
 
+SunColumns sun_columns_of(const Parameters& parameters, const MultipleScatteringBake& asset) {
+    const auto scene = is_solved(asset) ? parameters.scene : std::nullopt;
+    return sun_columns(asset.mapping, scene, shell_of(parameters.atmosphere));
+}
+
 std::unique_ptr<const HigherOrders> stored_orders(const Parameters& parameters,
                                                   const MultipleScatteringBake& asset,
                                                   const SkyMedium& medium,
                                                   const Image2<float>& table) {
-    const Shell shell = shell_of(parameters.atmosphere);
-    const auto scene = is_solved(asset) ? parameters.scene : std::nullopt;
-    const PlaceInTable place = [columns = sun_columns(asset.mapping, scene, shell), shell](
+    const double thickness_km = shell_of(parameters.atmosphere).thickness_km;
+    const PlaceInTable place = [columns = sun_columns_of(parameters, asset), thickness_km](
                                    double altitude_km, double sun_cos_zenith) {
-        return TablePlace{columns.coordinate(sun_cos_zenith), altitude_km / shell.thickness_km};
+        return TablePlace{columns.coordinate(sun_cos_zenith), altitude_km / thickness_km};
     };
     const int degree = tables_of(asset) > 1 ? asset.degree : 0;
     return std::make_unique<const TableOrders>(medium, table, degree, place);

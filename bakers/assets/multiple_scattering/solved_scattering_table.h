@@ -23,6 +23,7 @@
 #include "bakers/air/medium.h"
 #include "bakers/field/image.h"
 #include "bakers/light/higher_orders.h"
+#include "bakers/light/multiple_scattering_mapping.h"
 #include "bakers/math/bake_options.h"
 #include "bakers/math/intermediates.h"
 #include "config/assets/multiple_scattering.h"
@@ -53,6 +54,10 @@ bool is_solved(const config::MultipleScatteringBake& asset);
 
 // Returns the number of tables below each other: that of the moments, or 1.
 int tables_of(const config::MultipleScatteringBake& asset);
+
+// Returns the suns of its columns.
+SunColumns sun_columns_of(const Parameters& parameters,
+                          const config::MultipleScatteringBake& asset);
 
 // Returns the orders of a table as it is stored. `medium` and `table` must outlive the result.
 std::unique_ptr<const HigherOrders> stored_orders(const Parameters& parameters,

@@ -28,23 +28,29 @@ using config::NoiseVolumeBake;
 using noise::NoiseField;
 using noise::NoisePlan;
 
-std::array<bool, 3> centered_axes(NoiseSampling sampling) {
-    const bool across = sampling != NoiseSampling::corners;
-    return {across, across, sampling == NoiseSampling::centers};
+// Returns what is added to a place of the tile to find it in the texture: nothing along axes whose voxel
+// i is at (i + 1/2) / size, and half a voxel along those where it is at i / size.
+std::array<double, 3> shift_of(NoiseSampling sampling, const std::array<int, 3>& size) {
+    std::array<double, 3> shift{};
+    if (sampling != NoiseSampling::centers) shift[2] = 0.5 / size[2];
+    for (std::size_t i = 0; i < 2 && sampling == NoiseSampling::corners; ++i) {
+        shift[i] = 0.5 / size[i];
+    }
+    return shift;
 }
 
 std::vector<AxisMapping> axes_of(const std::array<int, 3>& size, NoiseSampling sampling) {
     static constexpr std::array<const char*, 3> kNames = {"x", "y", "z"};
     static constexpr std::array<const char*, 3> kCoordinates = {"u", "v", "w"};
-    const std::array<bool, 3> centered = centered_axes(sampling);
+    const std::array<double, 3> shift = shift_of(sampling, size);
     std::vector<AxisMapping> axes(3);
     for (std::size_t i = 0; i < 3; ++i) {
         axes[i].quantity = fmt::format("{}_tile", kNames[i]);
         axes[i].last = 1;
         axes[i].end_points = TexelConvention::end_points_on_edges;
         axes[i].wrap = AxisWrap::repeat;
-        axes[i].constants = {{"offset", centered[i] ? 0 : 0.5 / size[i]}};
-        if (centered[i]) {
+        axes[i].constants = {{"offset", shift[i]}};
+        if (shift[i] == 0) {
             axes[i].formula = fmt::format("{} = {}", kCoordinates[i], kNames[i]);
             axes[i].convention = "repeats; voxel i samples (i + 1/2) / size";
         } else {
@@ -57,13 +63,9 @@ std::vector<AxisMapping> axes_of(const std::array<int, 3>& size, NoiseSampling s
 }
 
 VolumeReference reference_of(const Noise& noise, const std::array<int, 3>& size) {
-    const std::array<bool, 3> centered = centered_axes(noise.sampling);
-    return [&noise, size, centered](const std::array<double, 3>& uvw) {
-        std::array<double, 3> place = uvw;
-        for (std::size_t i = 0; i < 3; ++i) {
-            if (!centered[i]) place[i] -= 0.5 / size[i];
-        }
-        return noise::noise_reference(noise, place);
+    return [&noise, shift = shift_of(noise.sampling, size)](std::array<double, 3> uvw) {
+        for (std::size_t i = 0; i < 3; ++i) uvw[i] -= shift[i];
+        return noise::noise_reference(noise, uvw);
     };
 }
 
@@ -71,10 +73,10 @@ VolumeReference reference_of(const Noise& noise, const std::array<int, 3>& size)
 ProbePlace place_of(const std::array<int, 3>& size, NoiseSampling sampling,
                     const std::array<double, 3>& uvw) {
     static constexpr std::array<const char*, 3> kNames = {"x_tile", "y_tile", "z_tile"};
-    const std::array<bool, 3> centered = centered_axes(sampling);
+    const std::array<double, 3> shift = shift_of(sampling, size);
     ProbePlace place{{}, {{uvw}}};
     for (std::size_t i = 0; i < 3; ++i) {
-        const double at = centered[i] ? uvw[i] : uvw[i] - 0.5 / size[i];
+        const double at = uvw[i] - shift[i];
         place.at.emplace_back(kNames[i], at - std::floor(at));
     }
     return place;
@@ -131,39 +133,25 @@ Estimate estimate(const Parameters& parameters, const NoiseVolumeBake& asset) {
     return estimate_volume(asset, asset.size, channels, octaves_of(noise) * kSecondsPerOctave);
 }
 
-// Along which axes voxel i is at (i + 1/2) / size and not at i / size.
-std::array<bool, 3> centered_axes(const Noise& noise) {
-    const bool across = noise.sampling != config::NoiseSampling::corners;
-    return {across, across, noise.sampling == config::NoiseSampling::centers};
-}
-
 AssetPlaces places(const Parameters& parameters, const NoiseVolumeBake& asset,
                    const StoredTexels&) {
-    const std::array<bool, 3> centered = centered_axes(noise_named(parameters, asset.noise));
-    return single_lookup({"x_tile", "y_tile", "z_tile"},
-                         [centered, size = asset.size](const Place& at) {
-                             Uvw uvw;
-                             for (std::size_t i = 0; i < 3; ++i) {
-                                 uvw[i] = at[i].second + (centered[i] ? 0.0 : 0.5 / size[i]);
-                             }
-                             return uvw;
-                         });
+    const Uvw shift = shift_of(noise_named(parameters, asset.noise).sampling, asset.size);
+    return single_lookup({"x_tile", "y_tile", "z_tile"}, [shift](const Place& at) {
+        return Uvw{at[0].second + shift[0], at[1].second + shift[1], at[2].second + shift[2]};
+    });
 }
 
 // Along z a noise may have its voxels elsewhere than along x and y.
 AssetLookup lookup(const Parameters& parameters, const NoiseVolumeBake& asset,
                    const StoredTexels& stored) {
-    const std::array<bool, 3> centered = centered_axes(noise_named(parameters, asset.noise));
-    std::array<double, 3> shift{};
-    for (std::size_t i = 0; i < 3; ++i) shift[i] = centered[i] ? 0.0 : 0.5 / asset.size[i];
+    const Uvw shift = shift_of(noise_named(parameters, asset.noise).sampling, asset.size);
     GlslFunction function;
     function.comment =
         "Returns the noise. p is a point and `tile` the edges of a tile, in one unit.";
     function.arguments = "sampler3D table, vec3 p, vec3 tile";
-    function.value =
-        centered == std::array{true, true, true}
-            ? "noise_volume(table, p, tile)"
-            : fmt::format("noise_volume(table, p + tile * {}, tile)", glsl_vector(shift));
+    function.value = shift == Uvw{} ? "noise_volume(table, p, tile)"
+                                    : fmt::format("noise_volume(table, p + tile * {}, tile)",
+                                                  glsl_vector(shift));
     return {"noise", {with_channels(stored.channels, 4, std::move(function))}};
 }
 
@@ -194,10 +182,7 @@ Baked make_noise_volume(const Noise& noise, const NoiseVolumeBake& bake, Baked v
     const auto field = std::make_shared<const NoiseField>(noise::make_noise_plan(noise, bake.size));
     volume.details.emplace_back("distinct_octaves",
                                 static_cast<double>(distinct_octaves(field->plan())));
-    Level level;
-    level.size = bake.size;
-    level.voxels = field;
-    volume.levels.push_back(std::move(level));
+    add_voxels(bake.size, field, volume);
     volume.seam_error = seam_error(*field, bake.size);
     return volume;
 }
@@ -211,9 +196,6 @@ Outcome<Baked> bake_noise_volume(const Noise& noise, const NoiseVolumeBake& bake
         {.histogram_ranges = usual_ranges(noise),
          .reference = reference_of(noise, bake.size),
          .reference_name = "the noise's definition in double precision, point by point",
-         .expensive = false,
-         .comparison = {},
-         .measure = {},
          .probe_place = [&noise, &bake](const std::array<double, 3>& uvw,
                                         int) { return place_of(bake.size, noise.sampling, uvw); }},
         options);

@@ -27,7 +27,7 @@ Outcome<Baked> bake(const Parameters& parameters, const OccupancyBake& asset,
     const CloudVolumeBake& of = source_volume(parameters, asset.of);
     const Cloud& cloud = cloud_named(parameters, of.cloud);
     Baked volume = labelled_volume(std::move(label));
-    const Outcome<Baked> held = hold_source_volume(parameters, asset.of, options, volume);
+    const Outcome<Baked> held = hold_source_volume(parameters, asset.of, options, volume.details);
     if (!held.value) return {{}, held.diagnostics};
     const Baked& voxels = *held.value;
     return bake_occupancy({voxels, filtered_threshold(cloud)}, asset, options, std::move(volume));

@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <utility>
 
 #include "bakers/assets/cloud_volume/cloud_volume.h"
 #include "bakers/assets/sources/source_files.h"
@@ -144,25 +143,6 @@ std::optional<Teller> teller_of(const std::vector<OccupancyContent>& contents) {
     return std::nullopt;
 }
 
-Outcome<std::vector<std::uint8_t>> occupied_cells(const std::filesystem::path& folder,
-                                                  const ManifestAsset& asset,
-                                                  const ManifestFile& file, float threshold,
-                                                  const Teller& teller) {
-    const std::size_t channels = asset.channels.size();
-    std::vector<std::uint8_t> occupied;
-    Outcome<bool> read =
-        read_asset_file(folder / file.path, asset, file, 0,
-                        [&](std::int64_t, std::int64_t count, const float* values) {
-                            for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
-                                const float value = values[i * channels + teller.channel];
-                                occupied.push_back(teller.is_occupied(value, threshold) ? 1 : 0);
-                            }
-                            return true;
-                        });
-    if (!read.value) return {{}, std::move(read.diagnostics)};
-    return {std::move(occupied), {}};
-}
-
 // Returns the loss of `volume`, in words; empty: none. A file that cannot be read fails elsewhere.
 std::string loss_of(const std::filesystem::path& folder, const ManifestAsset& asset,
                     const ManifestAsset& volume, const Grid& grid) {
@@ -171,17 +151,20 @@ std::string loss_of(const std::filesystem::path& folder, const ManifestAsset& as
     const std::optional<Teller> teller = teller_of(grid.bake.contents);
     const float threshold = filtered_threshold(grid.cloud);
     if (cells_file == nullptr || voxels_file == nullptr || !teller) return "";
-    const auto occupied = occupied_cells(folder, asset, *cells_file, threshold, *teller);
-    if (!occupied.value) return "";
+    std::vector<std::uint8_t> occupied;
+    const auto tell = [&](std::int64_t, float value) {
+        occupied.push_back(teller->is_occupied(value, threshold) ? 1 : 0);
+    };
+    if (!read_channel(folder, asset, *cells_file, teller->channel, tell)) return "";
     const CellGrid cells{volume.levels.front().size, grid.bake.cell};
-    if (occupied.value->size() != occupancy::count_of(cells.size())) {
-        return fmt::format("{} cells do not cover {} at {} voxels per cell", occupied.value->size(),
+    if (occupied.size() != occupancy::count_of(cells.size())) {
+        return fmt::format("{} cells do not cover {} at {} voxels per cell", occupied.size(),
                            volume.name, grid.bake.cell);
     }
     const std::optional<std::size_t> channel = channel_in(volume, grid.bake.channel);
     if (!channel) return fmt::format("{} has no channel {}", volume.name, grid.bake.channel);
-    OccupancyCheck check(cells, *occupied.value, grid.bake.filter, threshold,
-                         static_cast<int>(*channel), static_cast<int>(volume.channels.size()));
+    OccupancyCheck check(cells, occupied, grid.bake.filter, threshold, static_cast<int>(*channel),
+                         static_cast<int>(volume.channels.size()));
     const Outcome<bool> read =
         read_asset_file(folder / voxels_file->path, volume, *voxels_file, 0,
                         [&](std::int64_t first, std::int64_t count, const float* values) {

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -17,7 +16,7 @@
 #include "bakers/math/bake_clock.h"
 #include "bakers/occupancy/cloud_bits.h"
 #include "bakers/occupancy/occupied_cells.h"
-#include "config/fields/fields.h"
+#include "config/text/mapped.h"
 
 namespace skybake {
 namespace {
@@ -33,18 +32,10 @@ using occupancy::SkippingGain;
 
 constexpr double kFarthestLeap = 255;
 
-// The word that recipes have for a choice.
-template <class Choice>
-std::string word_of(std::string_view key, Choice choice) {
-    const config::Section& section = *config::find_section("bake.*", "occupancy");
-    const auto words = config::choice_names(*config::find_field(section, key));
-    return std::string(words[static_cast<std::size_t>(choice)]);
-}
-
 std::vector<std::string> grid_names(const std::vector<OccupancyContent>& contents) {
-    std::vector<std::string> names;
-    for (const OccupancyContent content : contents) names.push_back(word_of("contents", content));
-    return names;
+    return mapped<std::string>(contents, [](OccupancyContent content) {
+        return word_of("occupancy", "contents", content);
+    });
 }
 
 std::string content_of(const OccupancyBake& bake) {
@@ -133,11 +124,7 @@ Outcome<std::shared_ptr<const CellSource>> make_cells(const OccupiedVolume& of,
 
 void add_levels(std::shared_ptr<const CellSource> cells, const OccupancyBake& bake, Baked& volume) {
     for (int level = 0; level < bake.mips; ++level) {
-        Level entry;
-        entry.size = cells->ranges().size;
-        entry.repeats = repeating_axes(volume.axes);
-        entry.voxels = cells;
-        volume.levels.push_back(std::move(entry));
+        add_voxels(cells->ranges().size, cells, volume);
         if (level + 1 == bake.mips) return;
         cells = std::make_shared<const CellSource>(next_level(cells->ranges()),
                                                    next_level(cells->occupied()), bake.contents,
@@ -193,18 +180,19 @@ Outcome<Baked> bake_occupancy(const OccupiedVolume& of, const OccupancyBake& bak
     volume.channel_names = names_of_channels(bake.contents.size());
     volume.grid_names = grid_names(bake.contents);
     set_files(bake, volume);
-    const auto add = [&](const char* key, FactValue value) {
-        volume.details.emplace_back(key, std::move(value));
-    };
-    add("of", bake.of);
-    add("channel", of.volume.channel_names[channel_named(of.volume, bake.channel)]);
-    add("cell", static_cast<double>(bake.cell));
-    add("filter", word_of("filter", bake.filter));
-    add("rule", word_of("rule", bake.rule));
-    add("threshold", to_shortest(of.threshold));
+    volume.details.insert(
+        volume.details.end(),
+        {{"of", bake.of},
+         {"channel", of.volume.channel_names[channel_named(of.volume, bake.channel)]},
+         {"cell", static_cast<double>(bake.cell)},
+         {"filter", word_of("occupancy", "filter", bake.filter)},
+         {"rule", word_of("occupancy", "rule", bake.rule)},
+         {"threshold", to_shortest(of.threshold)}});
     const auto leap = std::ranges::find(bake.contents, OccupancyContent::leap);
-    if (leap != bake.contents.end())
-        add("leap_scale", occupancy::is_unorm(bake.pixel_type) ? kFarthestLeap : 1.0);
+    if (leap != bake.contents.end()) {
+        volume.details.emplace_back("leap_scale",
+                                    occupancy::is_unorm(bake.pixel_type) ? kFarthestLeap : 1.0);
+    }
 
     auto cells = make_cells(of, bake, grid, options, volume);
     if (!cells.value) return {{}, std::move(cells.diagnostics)};

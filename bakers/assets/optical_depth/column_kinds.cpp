@@ -58,8 +58,7 @@ std::vector<double> boundaries_km(double max_altitude_km, int count, const Altit
 
 // The rest of a path after `length_km`.
 ColumnPath rest_of(const Shell& shell, const ColumnPath& path, double length_km) {
-    const double altitude = altitude_along_km(shell, path.altitude_km, path.s_km, length_km);
-    return {std::clamp(altitude, 0.0, shell.thickness_km), path.s_km + length_km,
+    return {end_altitude_km(shell, {path.altitude_km, path.s_km, length_km}), path.s_km + length_km,
             path.length_km - length_km};
 }
 
@@ -72,6 +71,27 @@ void add_differences(const std::vector<double>& a, const std::vector<double>& b,
                      ErrorStatistics& statistics) {
     for (std::size_t i = 0; i < a.size(); ++i) statistics.add(a[i] - b[i]);
 }
+
+// A stored table with the lookups that a runtime makes. Values are in the order of transmittances().
+struct StoredColumns {
+    const std::vector<ColumnKind>& kinds;
+    int channels;
+    const ColumnTable& table;
+    const Level& level;
+    PixelType type;
+
+    std::vector<double> transmittances_of(const ColumnPath& path) const {
+        std::vector<double> means = look_up(level, type, table.texture_coordinates(path));
+        for (double& mean : means) mean = mean_density_of_stored(mean);
+        return transmittances(kinds, channels, path.length_km, means);
+    }
+
+    std::vector<double> exact_transmittances_of(const ColumnPath& path) const {
+        std::vector<double> means;
+        for (const ColumnKind& kind : kinds) means.push_back(mean_density(kind, path));
+        return transmittances(kinds, channels, path.length_km, means);
+    }
+};
 
 }  // namespace
 
@@ -192,27 +212,11 @@ std::vector<double> transmittances(const std::vector<ColumnKind>& kinds, int cha
     return depths;
 }
 
-StoredColumns::StoredColumns(const std::vector<ColumnKind>& kinds, int channels,
-                             const ColumnTable& table, const Level& level, PixelType type)
-    : kinds_(kinds), channels_(channels), table_(table), level_(level), type_(type) {}
-
-std::vector<double> StoredColumns::transmittances_of(const ColumnPath& path) const {
-    std::vector<double> means = look_up(level_, type_, table_.texture_coordinates(path));
-    for (double& mean : means) mean = mean_density_of_stored(mean);
-    return transmittances(kinds_, channels_, path.length_km, means);
-}
-
-std::vector<double> StoredColumns::exact_transmittances_of(const ColumnPath& path) const {
-    std::vector<double> means;
-    for (const ColumnKind& kind : kinds_) means.push_back(mean_density(kind, path));
-    return transmittances(kinds_, channels_, path.length_km, means);
-}
-
 ColumnErrors measure_columns(const std::vector<ColumnKind>& kinds, int channels,
                              const ColumnTable& table, bool to_top, const Level& level,
                              PixelType type, int points) {
     const Shell& shell = table.geometry().shell;
-    const StoredColumns stored(kinds, channels, table, level, type);
+    const StoredColumns stored = {kinds, channels, table, level, type};
     const auto colours = static_cast<std::ptrdiff_t>(channels);
     ErrorStatistics together, additivity, symmetry;
     std::vector<ErrorStatistics> alone(kinds.size());

@@ -82,25 +82,6 @@ double sampled_mean_density(const ColumnKind& kind, const std::vector<double>& s
 std::vector<double> transmittances(const std::vector<ColumnKind>& kinds, int channels,
                                    double length_km, const std::vector<double>& mean_densities);
 
-// A stored table with the lookups that a runtime makes.
-class StoredColumns {
-  public:
-    // The arguments must outlive this object. `channels` is the number of colours.
-    StoredColumns(const std::vector<ColumnKind>& kinds, int channels, const ColumnTable& table,
-                  const Level& level, PixelType type);
-
-    // Return values in the order of transmittances().
-    std::vector<double> transmittances_of(const ColumnPath& path) const;
-    std::vector<double> exact_transmittances_of(const ColumnPath& path) const;
-
-  private:
-    const std::vector<ColumnKind>& kinds_;
-    int channels_;
-    const ColumnTable& table_;
-    const Level& level_;
-    PixelType type_;
-};
-
 struct ColumnErrors {
     ErrorFigures together;
     std::vector<ErrorFigures> alone;  // of each kind

@@ -141,6 +141,11 @@ double altitude_at(const AltitudeScale& scale, double scaled) {
     return std::min(scale.fine_km * (exponential(scaled * scaled * whole) - 1), scale.thickness_km);
 }
 
+double end_altitude_km(const Shell& shell, const ColumnPath& path) {
+    return std::clamp(altitude_along_km(shell, path.altitude_km, path.s_km, path.length_km), 0.0,
+                      shell.thickness_km);
+}
+
 ColumnPath path_to_top(const ColumnGeometry& geometry, const TopCoordinates& x) {
     return path_up(geometry, x, x.altitude, geometry.shell.thickness_km);
 }
@@ -163,9 +168,7 @@ ColumnPath path_between(const ColumnGeometry& geometry, const PairCoordinates& x
 
 PairCoordinates pair_coordinates(const ColumnGeometry& geometry, const ColumnPath& path) {
     const Shell& shell = geometry.shell;
-    const double end_km =
-        std::clamp(altitude_along_km(shell, path.altitude_km, path.s_km, path.length_km), 0.0,
-                   shell.thickness_km);
+    const double end_km = end_altitude_km(shell, path);
     const double end_s = path.s_km + path.length_km;
     const double low = std::min(path.altitude_km, end_km);
     const double high = std::max(path.altitude_km, end_km);
@@ -209,9 +212,7 @@ DistanceCoordinates distance_coordinates(const ColumnGeometry& geometry, const C
     const Shell& shell = geometry.shell;
     const AltitudeScale& scale = geometry.scale;
     const double altitude = scaled_altitude(scale, path.altitude_km);
-    const double end_km =
-        std::clamp(altitude_along_km(shell, path.altitude_km, path.s_km, path.length_km), 0.0,
-                   shell.thickness_km);
+    const double end_km = end_altitude_km(shell, path);
     const double end = scaled_altitude(scale, end_km);
     if (falls_to_ground(shell, path)) {
         const double rho = horizon_distance_km(shell, path.altitude_km);

@@ -65,6 +65,9 @@ struct ColumnPath {
     double length_km = 0;
 };
 
+// Returns the altitude where a path ends.
+double end_altitude_km(const Shell& shell, const ColumnPath& path);
+
 enum class RayKind { upward, limb, ground };
 
 struct TopCoordinates {

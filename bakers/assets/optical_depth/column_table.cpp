@@ -11,8 +11,6 @@
 
 namespace skybake {
 
-using config::BetweenCoordinates;
-
 namespace {
 
 constexpr auto kColumnConvention = TexelConvention::end_points_on_texel_centres;
@@ -27,11 +25,6 @@ double texture_coordinate_of(const RayTexels& texels, double x, int size) {
 }
 
 constexpr double kDegreesOfRadian = 180 / std::numbers::pi;
-
-double end_altitude_km(const Shell& shell, const ColumnPath& path) {
-    return std::clamp(altitude_along_km(shell, path.altitude_km, path.s_km, path.length_km), 0.0,
-                      shell.thickness_km);
-}
 
 // Moves a path off the horizon. If it stays above the ground and climbs at its end, the end keeps its
 // altitude.
@@ -65,6 +58,13 @@ double angle_at_centre_deg(const Shell& shell, double low_km, double high_km, do
     return (std::numbers::pi - 2 * arc_cosine(half_sine)) * kDegreesOfRadian;
 }
 
+ColumnTableKind table_kind(const config::OpticalDepthBake& bake) {
+    if (bake.table == config::OpticalDepthTable::to_top) return ColumnTableKind::to_top;
+    return bake.coordinates == config::BetweenCoordinates::altitudes
+               ? ColumnTableKind::between_altitudes
+               : ColumnTableKind::along_distance;
+}
+
 }  // namespace
 
 double stored_of_mean_density(double mean_density) {
@@ -77,13 +77,10 @@ double mean_density_of_stored(double stored) {
 }
 
 ColumnTable::ColumnTable(const config::OpticalDepthBake& bake, const ColumnGeometry& geometry)
-    : to_top_(bake.table == config::OpticalDepthTable::to_top),
-      coordinates_(bake.coordinates),
-      size_(bake.size),
-      geometry_(geometry) {
+    : kind_(table_kind(bake)), size_(bake.size), geometry_(geometry) {
     const int width = size_[0];
     const int limb = width / 2;
-    if (!to_top_ && coordinates_ == BetweenCoordinates::distance) {
+    if (kind_ == ColumnTableKind::along_distance) {
         const int upward = width / 4;
         kinds_ = {{RayKind::upward, 0, upward},
                   {RayKind::limb, upward, limb},
@@ -93,15 +90,9 @@ ColumnTable::ColumnTable(const config::OpticalDepthBake& bake, const ColumnGeome
     }
 }
 
-ColumnTableKind ColumnTable::kind() const {
-    if (to_top_) return ColumnTableKind::to_top;
-    return coordinates_ == BetweenCoordinates::altitudes ? ColumnTableKind::between_altitudes
-                                                         : ColumnTableKind::along_distance;
-}
-
 ColumnPath ColumnTable::path(RayKind kind, double u, double v, double w) const {
-    if (to_top_) return path_to_top(geometry_, {kind, u, v});
-    if (coordinates_ == BetweenCoordinates::altitudes) {
+    if (kind_ == ColumnTableKind::to_top) return path_to_top(geometry_, {kind, u, v});
+    if (kind_ == ColumnTableKind::between_altitudes) {
         return path_between(geometry_, {kind, u, v, w});
     }
     return path_along(geometry_, {kind, u, v, w});
@@ -164,11 +155,11 @@ std::array<double, 3> ColumnTable::texture_coordinates(const ColumnPath& path) c
                                      texture_coordinate(kColumnConvention, v, size_[1]),
                                      texture_coordinate(kColumnConvention, w, size_[2])};
     };
-    if (to_top_) {
+    if (kind_ == ColumnTableKind::to_top) {
         const TopCoordinates x = top_coordinates(geometry_, path.altitude_km, path.s_km);
         return place(x.kind, x.angle, x.altitude, 0);
     }
-    if (coordinates_ == BetweenCoordinates::altitudes) {
+    if (kind_ == ColumnTableKind::between_altitudes) {
         const PairCoordinates x = pair_coordinates(geometry_, path);
         return place(x.kind, x.angle, x.high, x.low);
     }

@@ -23,7 +23,6 @@
 #include "bakers/field/choose_probes.h"
 
 namespace skybake::config {
-enum class BetweenCoordinates;
 struct OpticalDepthBake;
 }  // namespace skybake::config
 
@@ -45,7 +44,7 @@ class ColumnTable {
   public:
     ColumnTable(const config::OpticalDepthBake& bake, const ColumnGeometry& geometry);
 
-    ColumnTableKind kind() const;
+    ColumnTableKind kind() const { return kind_; }
     const std::array<int, 3>& size() const { return size_; }
     const std::vector<RayTexels>& kinds() const { return kinds_; }
     const ColumnGeometry& geometry() const { return geometry_; }
@@ -67,8 +66,7 @@ class ColumnTable {
     ColumnPath path(RayKind kind, double u, double v, double w) const;
     const RayTexels& texels_of(RayKind kind) const;
 
-    bool to_top_;
-    config::BetweenCoordinates coordinates_;
+    ColumnTableKind kind_;
     std::array<int, 3> size_;
     ColumnGeometry geometry_;
     std::vector<RayTexels> kinds_;

@@ -11,6 +11,7 @@
 
 #include "bakers/air/particles/layer_phase.h"
 #include "bakers/air/ray.h"
+#include "bakers/assets/description/asset_label.h"
 #include "bakers/assets/optical_depth/column_kinds.h"
 #include "bakers/assets/optical_depth/column_table.h"
 #include "bakers/field/baked.h"
@@ -56,9 +57,7 @@ class TexelSource : public VoxelSource {
 };
 
 std::vector<std::string> channel_names(std::size_t kinds) {
-    if (kinds == 1) return {"Y"};
-    if (kinds == 4) return {"R", "G", "B", "A"};
-    return {"R", "G", "B"};
+    return names_of_channels(kinds == 2 ? 3 : kinds);
 }
 
 // Values of kinds, and 0 in channels beyond.

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "bakers/math/transcendental.h"
+#include "config/fields/fields.h"
 
 namespace skybake {
 namespace {
@@ -19,17 +20,6 @@ struct Range {
     double low = 0;
     double high = 0;
 };
-
-struct SpacingWord {
-    config::PhaseSpacing spacing;
-    std::string_view name;
-};
-
-constexpr std::array kWords = {
-    SpacingWord{config::PhaseSpacing::angle, "angle"},
-    SpacingWord{config::PhaseSpacing::cosine, "cosine"},
-    SpacingWord{config::PhaseSpacing::cosine_from_back, "cosine_from_back"},
-    SpacingWord{config::PhaseSpacing::peaks, "peaks"}};
 
 constexpr Range kAsymmetry = {-0.9999, 0.9999};
 
@@ -155,6 +145,10 @@ Minimum search(const Form& form, std::vector<double> at, const std::vector<Node>
     return best;
 }
 
+const config::Field& spacing_field() {
+    return *config::find_field(*config::find_section("bake.*", "phase"), "spacing");
+}
+
 double fourth_root(double x) { return std::sqrt(std::sqrt(x)); }
 
 }  // namespace
@@ -189,12 +183,12 @@ double fitted_value(std::string_view form, const std::vector<double>& parameters
 }
 
 std::string_view spacing_name(PhaseSpacing spacing) {
-    return std::ranges::find(kWords, spacing, &SpacingWord::spacing)->name;
+    return config::choice_name(spacing_field(), spacing);
 }
 
 std::optional<PhaseSpacing> spacing_named(std::string_view mapping) {
-    for (const SpacingWord& word : kWords) {
-        if (word.name == mapping) return word.spacing;
+    for (const config::Choice& choice : spacing_field().choices) {
+        if (choice.name == mapping) return static_cast<PhaseSpacing>(choice.enumerator);
     }
     return std::nullopt;
 }

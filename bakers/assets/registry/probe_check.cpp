@@ -15,12 +15,6 @@
 namespace skybake {
 namespace {
 
-// Failures of an asset's probes, and how many probes were looked at.
-struct CheckedProbes {
-    std::vector<std::string> failures;
-    int checks = 0;
-};
-
 bool are_alike(const Uvw& found, const Uvw& wanted, const std::array<bool, 3>& repeats) {
     for (std::size_t i = 0; i < 3; ++i) {
         double apart = found[i] - wanted[i];
@@ -51,17 +45,6 @@ std::string problem_of(const Probe& probe, int level, const AssetPlaces& lookup,
                        fmt::join(wanted.front().uvw, ", "), fmt::join(probe.uvw, ", "));
 }
 
-void check_places(const ManifestAsset& asset, const AssetPlaces& places, CheckedProbes& checked) {
-    const std::array<bool, 3> repeats = repeating_axes(asset.axes);
-    for (std::size_t level = 0; level < asset.levels.size(); ++level) {
-        for (const Probe& probe : asset.levels[level].probes) {
-            ++checked.checks;
-            std::string problem = problem_of(probe, static_cast<int>(level), places, repeats);
-            if (!problem.empty()) checked.failures.push_back(std::move(problem));
-        }
-    }
-}
-
 std::vector<std::string> check(const ManifestAsset& asset, int& checks) {
     // The parameters that an asset carries are themselves a recipe; a grid of occupancy has its
     // volume's too.
@@ -74,10 +57,16 @@ std::vector<std::string> check(const ManifestAsset& asset, int& checks) {
     }
     const AssetPlaces places = baker_of(*own).places(
         recipe.value->parameters, *own, {asset.mapping, asset.size, asset.channels.size()});
-    CheckedProbes checked;
-    check_places(asset, places, checked);
-    checks += checked.checks;
-    return checked.failures;
+    const std::array<bool, 3> repeats = repeating_axes(asset.axes);
+    std::vector<std::string> failures;
+    for (std::size_t level = 0; level < asset.levels.size(); ++level) {
+        for (const Probe& probe : asset.levels[level].probes) {
+            ++checks;
+            std::string problem = problem_of(probe, static_cast<int>(level), places, repeats);
+            if (!problem.empty()) failures.push_back(std::move(problem));
+        }
+    }
+    return failures;
 }
 
 }  // namespace

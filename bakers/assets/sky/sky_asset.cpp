@@ -13,23 +13,14 @@
 
 namespace skybake {
 
-std::vector<Need> light_needs(const config::Atmosphere& atmosphere, config::SkyOrders orders,
-                              bool reads_sunlight) {
+std::vector<Need> light_needs(const std::vector<config::Atmosphere>& packets,
+                              config::SkyOrders orders, bool reads_sunlight) {
     std::vector<Need> needs;
-    if (orders != config::SkyOrders::single) {
-        needs.push_back(need_of(LightRequest{.atmosphere = atmosphere}));
-    }
-    if (reads_sunlight) needs.push_back(need_of(sunlight_request(atmosphere, orders)));
-    return needs;
-}
-
-std::vector<Need> light_needs(const Parameters& parameters, config::SkyOrders orders,
-                              bool reads_sunlight) {
-    std::vector<Need> needs;
-    for (const config::Atmosphere& packet : light_packets(parameters)) {
-        for (Need& need : light_needs(packet, orders, reads_sunlight)) {
-            needs.push_back(std::move(need));
+    for (const config::Atmosphere& packet : packets) {
+        if (orders != config::SkyOrders::single) {
+            needs.push_back(need_of(LightRequest{.atmosphere = packet}));
         }
+        if (reads_sunlight) needs.push_back(need_of(sunlight_request(packet, orders)));
     }
     return needs;
 }

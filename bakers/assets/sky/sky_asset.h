@@ -20,22 +20,20 @@
 
 namespace skybake {
 
-// Returns make(light), of a SkyLight or of SkyLights. If the bake was interrupted while the light was solved for, returns nothing;
-// if the solution is invalid, returns E0405 for the asset of that name.
-template <class Light, class Make>
-Outcome<Baked> bake_of_light(const Light& light, const std::string& name,
+// Returns make(), which makes an asset of the lights. If the bake was interrupted while they were solved for,
+// returns nothing; if a solution is invalid, returns E0405 for the asset of that name.
+template <class Make>
+Outcome<Baked> bake_of_light(const SkyLights& lights, const std::string& name,
                              const BakeOptions& options, const Make& make) {
     if (options.cancelled()) return {};
-    if (const auto problem = light.problem(name)) return *problem;
-    return make(light);
+    if (const auto problem = lights.problem(name)) return *problem;
+    return make();
 }
 
-// Return the solved light of an asset, of all packets of wavelengths or of one, which it needs unless it shows light that was scattered
-// once, and the table of sunlight if it integrates rows of rays (sky_row.h).
-std::vector<Need> light_needs(const Parameters& parameters, config::SkyOrders orders,
-                              bool reads_sunlight);
-std::vector<Need> light_needs(const config::Atmosphere& atmosphere, config::SkyOrders orders,
-                              bool reads_sunlight);
+// Returns the solved light of these packets of wavelengths, which an asset needs unless it shows light
+// that was scattered once, and the table of sunlight if it integrates rows of rays (sky_row.h).
+std::vector<Need> light_needs(const std::vector<config::Atmosphere>& packets,
+                              config::SkyOrders orders, bool reads_sunlight);
 
 // For a table of radiance around a camera (1/sr): the number of points that certify it, and its
 // conventions, reference and scale of errors. The table already has its channels' names.

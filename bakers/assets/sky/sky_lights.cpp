@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "bakers/field/baked.h"
+#include "config/text/mapped.h"
 
 namespace skybake {
 namespace {
@@ -13,29 +14,29 @@ ColorRequest request_of(const Parameters& parameters) {
     return {parameters.wavelengths, *parameters.color, parameters.atmosphere};
 }
 
-// Makes colours of rows whose channels are wavelengths.
-class RowColors {
-  public:
-    RowColors(std::vector<TableModel> packets, std::shared_ptr<const SkyColors> colors)
-        : packets_(std::move(packets)), colors_(std::move(colors)) {
-        for (const TableModel& packet : packets_) {
-            channels_.push_back(static_cast<std::size_t>(packet.channels));
+// Writes the colours of light at some places, place after place. `write_packet(i, light)` writes the
+// light of packet i, which has channels[i] wavelengths.
+template <class WritePacket>
+void write_colors(const std::vector<glm::dvec3>& weights, const std::vector<std::size_t>& channels,
+                  std::size_t places, const WritePacket& write_packet, double* values) {
+    std::fill_n(values, places * kColorChannels, 0.0);
+    std::vector<double> light;
+    const glm::dvec3* weight = weights.data();
+    for (std::size_t packet = 0; packet < channels.size(); ++packet) {
+        light.resize(places * channels[packet]);
+        write_packet(packet, light.data());
+        for (std::size_t i = 0; i < places; ++i) {
+            for (std::size_t c = 0; c < channels[packet]; ++c) {
+                const glm::dvec3 color = light[i * channels[packet] + c] * weight[c];
+                double* to = values + i * kColorChannels;
+                to[0] += color.x;
+                to[1] += color.y;
+                to[2] += color.z;
+            }
         }
+        weight += channels[packet];
     }
-
-    // `fill` writes a row of one packet.
-    template <class Fill>
-    void row(std::size_t points, double* values, const Fill& fill) const {
-        write_colors(
-            colors_->weights, channels_, points,
-            [&](std::size_t packet, double* light) { fill(packets_[packet], light); }, values);
-    }
-
-  private:
-    std::vector<TableModel> packets_;
-    std::vector<std::size_t> channels_;
-    std::shared_ptr<const SkyColors> colors_;
-};
+}
 
 // Phase functions have no sky without an atmosphere, and so no colours.
 bool has_colors(const Parameters& parameters) {
@@ -65,27 +66,29 @@ TableModel scaled(TableModel model, const std::vector<double>& factors) {
 
 }  // namespace
 
-void write_colors(const std::vector<glm::dvec3>& weights, const std::vector<std::size_t>& channels,
-                  std::size_t places,
-                  const std::function<void(std::size_t packet, double* light)>& write_packet,
-                  double* values) {
-    std::fill_n(values, places * kColorChannels, 0.0);
-    std::vector<double> light;
-    const glm::dvec3* weight = weights.data();
-    for (std::size_t packet = 0; packet < channels.size(); ++packet) {
-        light.resize(places * channels[packet]);
-        write_packet(packet, light.data());
-        for (std::size_t i = 0; i < places; ++i) {
-            for (std::size_t c = 0; c < channels[packet]; ++c) {
-                const glm::dvec3 color = light[i * channels[packet] + c] * weight[c];
-                double* to = values + i * kColorChannels;
-                to[0] += color.x;
-                to[1] += color.y;
-                to[2] += color.z;
-            }
-        }
-        weight += channels[packet];
-    }
+TableModel model_of_colors(std::vector<TableModel> packets,
+                           const std::vector<glm::dvec3>& weights) {
+    TableModel model = packets.front();
+    model.channels = kColorChannels;
+    // Colours outside the triangle of the space's primaries have negative channels.
+    model.lowest = std::numeric_limits<double>::lowest();
+    for (double& cost : model.cost_per_texel) cost *= static_cast<double>(packets.size());
+    const auto channels = mapped<std::size_t>(
+        packets, [](const TableModel& packet) { return std::size_t(packet.channels); });
+    const auto all = std::make_shared<const std::vector<TableModel>>(std::move(packets));
+    model.row = [=](int level, double y, const std::vector<double>& x, double* values) {
+        const auto write_packet = [&](std::size_t packet, double* light) {
+            (*all)[packet].row(level, y, x, light);
+        };
+        write_colors(weights, channels, x.size(), write_packet, values);
+    };
+    model.reference = [=](double y, const std::vector<double>& x, double* values) {
+        const auto write_packet = [&](std::size_t packet, double* light) {
+            (*all)[packet].reference(y, x, light);
+        };
+        write_colors(weights, channels, x.size(), write_packet, values);
+    };
+    return model;
 }
 
 std::vector<config::Atmosphere> light_packets(const Parameters& parameters) {
@@ -149,10 +152,8 @@ void SkyLights::write_channels(
         write_packet(first(), values);
         return scale(factors_, places, values);
     }
-    std::vector<std::size_t> channels;
-    for (const SkyLight* light : packets_) {
-        channels.push_back(static_cast<std::size_t>(light->medium().air.channels));
-    }
+    const auto channels = mapped<std::size_t>(
+        packets_, [](const SkyLight* light) { return std::size_t(light->medium().air.channels); });
     write_colors(
         colors_->weights, channels, places,
         [&](std::size_t packet, double* light) { write_packet(*packets_[packet], light); }, values);
@@ -164,23 +165,7 @@ TableModel SkyLights::model(
     if (!colors_) return scaled(of_packet(first()), factors_);
     std::vector<TableModel> packets;
     for (const SkyLight* light : packets_) packets.push_back(of_packet(*light));
-    TableModel model = packets.front();
-    model.channels = kColorChannels;
-    // Colours outside the triangle of the space's primaries have negative channels.
-    model.lowest = std::numeric_limits<double>::lowest();
-    for (double& cost : model.cost_per_texel) cost *= static_cast<double>(packets.size());
-    const auto colors = std::make_shared<const RowColors>(std::move(packets), colors_);
-    model.row = [colors](int level, double y, const std::vector<double>& x, double* values) {
-        colors->row(x.size(), values, [&](const TableModel& packet, double* light) {
-            packet.row(level, y, x, light);
-        });
-    };
-    model.reference = [colors](double y, const std::vector<double>& x, double* values) {
-        colors->row(x.size(), values, [&](const TableModel& packet, double* light) {
-            packet.reference(y, x, light);
-        });
-    };
-    return scaled(std::move(model), factors_);
+    return scaled(model_of_colors(std::move(packets), colors_->weights), factors_);
 }
 
 Baked labelled_light_table(const Parameters& parameters, AssetLabel label) {

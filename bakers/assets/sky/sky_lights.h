@@ -41,12 +41,8 @@ ColorConvention color_convention(const config::Color& color, std::span<const glm
 // Returns what fitting the colours needs, if the recipe has any.
 std::vector<Need> color_needs(const Parameters& parameters);
 
-// Writes the colours of light at some places, place after place. `write_packet(i, light)` writes the
-// light of packet i, which has channels[i] wavelengths.
-void write_colors(const std::vector<glm::dvec3>& weights, const std::vector<std::size_t>& channels,
-                  std::size_t places,
-                  const std::function<void(std::size_t packet, double* light)>& write_packet,
-                  double* values);
+// Returns the model of the colours that the weights of all packets' wavelengths make of their tables.
+TableModel model_of_colors(std::vector<TableModel> packets, const std::vector<glm::dvec3>& weights);
 
 class SkyLights {
   public:

@@ -50,15 +50,15 @@ Outcome<Baked> bake(const Parameters& parameters, const SkyViewBake& asset,
     const SkyLights lights(parameters, options, [&](const config::Atmosphere& atmosphere) {
         return light_of_view(atmosphere, asset, options);
     });
-    return bake_of_light(lights, label.name, options, [&](const SkyLights& found) {
-        return bake_sky_view(found, asset, options,
+    return bake_of_light(lights, label.name, options, [&] {
+        return bake_sky_view(lights, asset, options,
                              labelled_light_table(parameters, std::move(label)));
     });
 }
 
 std::vector<Need> needs(const Parameters& parameters, const SkyViewBake& asset, Certification) {
     if (is_from_strips(asset)) return {};
-    return light_needs(parameters, asset.orders, true);
+    return light_needs(light_packets(parameters), asset.orders, true);
 }
 
 Estimate estimate(const Parameters& parameters, const SkyViewBake& asset) {

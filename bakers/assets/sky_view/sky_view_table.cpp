@@ -85,15 +85,19 @@ void describe(const SkyViewBake& bake, const SkyViewCamera& camera, const Shell&
 
 }  // namespace
 
+void write_wanted(const SkyLight& light, SeenGround ground, std::vector<SkyRadiance> radiances,
+                  double* values) {
+    for (SkyRadiance& radiance : radiances) {
+        if (ground == SeenGround::black) radiance.ground = {};
+        const Spectrum wanted = light.wanted(radiance);
+        values = std::copy_n(data(wanted), light.medium().air.channels, values);
+    }
+}
+
 TableModel sky_view_model(const SkyLight& light, const SkyViewCamera& camera, const SunZenith& sun,
                           SeenGround ground) {
-    const auto channels = light.medium().air.channels;
-    const auto wanted_of = [&light, ground](SkyRadiance radiance) {
-        if (ground == SeenGround::black) radiance.ground = {};
-        return light.wanted(radiance);
-    };
     TableModel model;
-    model.channels = channels;
+    model.channels = light.medium().air.channels;
     model.lowest = 0;
     model.highest = std::numeric_limits<double>::max();
     model.v_of = sky_view_v;
@@ -101,8 +105,8 @@ TableModel sky_view_model(const SkyLight& light, const SkyViewCamera& camera, co
         return std::array<double, 2>{x, camera.off_the_edges(y)};
     };
     model.cost_per_texel = {1};
-    model.row = [&light, &camera, sun, channels, wanted_of](
-                    int, double y, const std::vector<double>& x, double* values) {
+    model.row = [&light, &camera, sun, ground](int, double y, const std::vector<double>& x,
+                                               double* values) {
         std::vector<double> cosines;
         for (const double azimuth : x) cosines.push_back(cosine_of_pi(azimuth));
         const auto row_of = [&](const SkyLight& any) {
@@ -110,13 +114,10 @@ TableModel sky_view_model(const SkyLight& light, const SkyViewCamera& camera, co
                              camera.ray(y, sun, 1), &any.sunlight());
             return row.radiance([&](double cosine) { return camera.ray(y, sun, cosine); }, cosines);
         };
-        for (const SkyRadiance& radiance : with_once(light, row_of)) {
-            const Spectrum wanted = wanted_of(radiance);
-            values = std::copy_n(data(wanted), channels, values);
-        }
+        write_wanted(light, ground, with_once(light, row_of), values);
     };
-    model.reference = [&light, &camera, sun, channels, wanted_of](
-                          double y, const std::vector<double>& x, double* values) {
+    model.reference = [&light, &camera, sun, ground](double y, const std::vector<double>& x,
+                                                     double* values) {
         const auto rays_of = [&](const SkyLight& any) {
             std::vector<SkyRadiance> radiances;
             for (const double azimuth : x) {
@@ -125,10 +126,7 @@ TableModel sky_view_model(const SkyLight& light, const SkyViewCamera& camera, co
             }
             return radiances;
         };
-        for (const SkyRadiance& radiance : with_once(light, rays_of)) {
-            const Spectrum wanted = wanted_of(radiance);
-            values = std::copy_n(data(wanted), channels, values);
-        }
+        write_wanted(light, ground, with_once(light, rays_of), values);
     };
     model.error = relative_error;
     return model;

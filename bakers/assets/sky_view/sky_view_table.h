@@ -1,6 +1,8 @@
 // The baker of `asset = "sky_view"`.
 #pragma once
 
+#include <vector>
+
 #include "bakers/assets/sky/sky_lights.h"
 #include "bakers/field/table_model.h"
 #include "bakers/light/sky_light.h"
@@ -21,6 +23,10 @@ struct Baked;
 enum class SeenGround { lit, black };  // black: only its light at the end of rays is left out
 TableModel sky_view_model(const SkyLight& light, const SkyViewCamera& camera, const SunZenith& sun,
                           SeenGround ground = SeenGround::lit);
+
+// Writes the light that the asset shows of each of these, channel by channel.
+void write_wanted(const SkyLight& light, SeenGround ground, std::vector<SkyRadiance> radiances,
+                  double* values);
 
 // Bakes the sky from one altitude under one sun or several (sky_view_mapping.h), without the sun's
 // disc. `table` comes with name, parameters and channel names.

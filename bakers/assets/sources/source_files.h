@@ -3,12 +3,16 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "bakers/io/formats/format.h"
+#include "bakers/io/manifest/asset_files.h"
 #include "bakers/io/manifest/manifest.h"
 #include "bakers/io/manifest/verify.h"
 #include "config/assets/cloud_volume.h"
@@ -31,6 +35,20 @@ inline const ManifestFile* first_file(const ManifestAsset& asset) {
         return file.level == 0 && format != nullptr && format->read != nullptr;
     });
     return found != asset.files.end() ? &*found : nullptr;
+}
+
+// Passes a channel of a file's finest voxels to use(index, value), one by one. Returns false where it
+// cannot be read, which fails elsewhere.
+template <class Use>
+bool read_channel(const std::filesystem::path& folder, const ManifestAsset& asset,
+                  const ManifestFile& file, std::size_t channel, const Use& use) {
+    const auto visit = [&](std::int64_t first, std::int64_t count, const float* values) {
+        for (std::int64_t i = first; i < first + count; ++i, values += asset.channels.size()) {
+            use(i, values[channel]);
+        }
+        return true;
+    };
+    return read_asset_file(folder / file.path, asset, file, 0, visit).value.has_value();
 }
 
 // Returns the index of a volume's channel of this name, or of its first one where the name is empty.

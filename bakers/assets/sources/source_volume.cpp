@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <cstddef>
 #include <utility>
 
 #include "bakers/assets/cloud_volume/cloud_inputs.h"
@@ -17,9 +15,9 @@ const CloudVolumeBake& source_volume(const Parameters& parameters, const std::st
 }
 
 Outcome<Baked> hold_source_volume(const Parameters& parameters, const std::string& of,
-                                  const BakeOptions& options, Baked& made) {
+                                  const BakeOptions& options, Facts& details) {
     const CloudVolumeBake& bake = source_volume(parameters, of);
-    const Outcome<CloudInputs> inputs = cloud_inputs(parameters, bake, made.details, options);
+    const Outcome<CloudInputs> inputs = cloud_inputs(parameters, bake, details, options);
     if (!inputs.value) return {{}, inputs.diagnostics};
     Baked voxels =
         hold_cloud_volume(cloud_named(parameters, bake.cloud), bake, *inputs.value, options, {});

@@ -11,6 +11,7 @@
 #include "bakers/assets/registry/baker.h"
 #include "bakers/field/conventions.h"
 #include "bakers/math/bake_options.h"
+#include "bakers/math/facts.h"
 #include "bakers/occupancy/cell_grid.h"
 #include "config/assets/cloud_volume.h"
 #include "config/diagnostics/diagnostic.h"
@@ -24,11 +25,10 @@ struct Baked;
 const CloudVolumeBake& source_volume(const Parameters& parameters, const std::string& of);
 
 // Returns the voxels of that volume as its files hold them, which it shares with the volume's own
-// bake. Adds what its cloud is made of to the details of `made`, which is made of them, and their
-// time to its own. Returns E0300 or E0304 if a file of the cloud cannot be read, and neither value
-// nor diagnostics after an interruption.
+// bake. Adds what its cloud is made of to the details of what is made of them. Returns E0300 or E0304
+// if a file of the cloud cannot be read, and neither value nor diagnostics after an interruption.
 Outcome<Baked> hold_source_volume(const Parameters& parameters, const std::string& of,
-                                  const BakeOptions& options, Baked& made);
+                                  const BakeOptions& options, Facts& details);
 
 // Returns whether a march may sum the densities of the volume as its files hold them.
 bool is_marched_as_stored(const Cloud& cloud);

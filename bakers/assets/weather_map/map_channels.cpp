@@ -9,6 +9,7 @@
 
 #include "bakers/math/parallel.h"
 #include "bakers/math/transcendental.h"
+#include "bakers/math/wrapped.h"
 
 namespace skybake {
 
@@ -93,8 +94,6 @@ std::vector<Tap> taps_of(const Streaks& streaks, int width, int height) {
     }
     return taps;
 }
-
-int wrapped(int index, int size) { return (index % size + size) % size; }
 
 // Adds a row that begins `shift` texels farther on, around the tile.
 void add_row(const float* row, int width, int shift, double weight, std::vector<double>& sums) {

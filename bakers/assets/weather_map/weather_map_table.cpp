@@ -260,8 +260,6 @@ Outcome<Baked> bake_weather_map(const Noise& noise, const WeatherMapBake& bake,
          .reference_name = "the noise's definition in double precision, point by point, with the "
                            "ramps that the texels gave",
          .expensive = std::ranges::any_of(bake.streaks, [](double length) { return length > 0; }),
-         .comparison = {},
-         .measure = {},
          .probe_place =
              [&](const std::array<double, 3>& uvw, int) {
                  ProbePlace place{{}, {{{uvw[0], uvw[1], 0.5}}}};

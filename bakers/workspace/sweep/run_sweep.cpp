@@ -20,6 +20,7 @@
 #include "bakers/workspace/bake_folder.h"
 #include "bakers/workspace/cache_folder.h"
 #include "bakers/workspace/folder_plan.h"
+#include "config/diagnostics/diagnostic_codes.h"
 #include "config/recipe/recipe.h"
 #include "config/text/mapped.h"
 
@@ -41,11 +42,7 @@ std::vector<Diagnostic> check_against_plan(const FolderBake& bake,
         keys.push_back(std::move(identity.value->key));
     }
     if (keys == planned_keys) return {};
-    return {{Severity::error,
-             "E0406",
-             "the recipe changed while the sweep was running",
-             {},
-             "run it again"}};
+    return {diagnosis("E0406", "the recipe changed while the sweep was running", "run it again")};
 }
 
 // Removes temporaries that a killed process has left beside up-to-date files. Does nothing while
@@ -297,7 +294,7 @@ class SweepRunner {
         });
         auto baked = bake_folder(bake, observer);
         wake_others();
-        if (baked.value && !has_errors(baked.diagnostics)) return true;
+        if (baked.value && config::exit_code(baked.diagnostics) == 0) return true;
         finish(std::move(baked), variant.result);
         return false;
     }
@@ -305,7 +302,7 @@ class SweepRunner {
     // If there is neither a value nor an error, the bake was interrupted and the variant stays
     // missing.
     static void finish(Outcome<BakedFolder> baked, VariantResult& result) {
-        if (!baked.value || has_errors(baked.diagnostics)) {
+        if (!baked.value || config::exit_code(baked.diagnostics) != 0) {
             if (!baked.diagnostics.empty()) fail(std::move(baked.diagnostics), result);
             return;
         }
@@ -321,11 +318,6 @@ class SweepRunner {
         result.status = VariantStatus::failed;
         result.assets.clear();
         append(std::move(diagnostics), result);
-    }
-
-    static bool has_errors(const std::vector<Diagnostic>& diagnostics) {
-        return std::ranges::any_of(
-            diagnostics, [](const Diagnostic& found) { return found.severity == Severity::error; });
     }
 
     static void append(std::vector<Diagnostic> diagnostics, VariantResult& result) {

@@ -49,11 +49,8 @@ void take_plan(const FolderPlan& plan, const Recipe& recipe, PlannedVariant& var
 }
 
 Diagnostic nothing_to_bake() {
-    return {Severity::error,
-            "E0124",
-            "the variant bakes nothing: it has no [bake.*]",
-            {},
-            "add [bake.transmittance]"};
+    return diagnosis("E0124", "the variant bakes nothing: it has no [bake.*]",
+                     "add [bake.transmittance]");
 }
 
 std::string last_failure(const std::filesystem::path& folder) {
