@@ -17,14 +17,6 @@
 namespace skybake {
 namespace {
 
-PointCounts points_of(const AccuracyRequest& request, Certification certification) {
-    return certification == Certification::full ? request.full : request.quick;
-}
-
-SearchCounts search_of(const AccuracyRequest& request, Certification certification) {
-    return certification == Certification::full ? request.full_search : request.quick_search;
-}
-
 // The cheapest quadrature level whose kernel keeps within the bound at the measured texels.
 struct LevelChoice {
     std::optional<int> level;
@@ -224,8 +216,8 @@ std::string place_text(const Place& place) {
 
 Outcome<TablePart> make_part(const TableModel& model, const AccuracyRequest& request,
                              const BakeOptions& options, const PlaceOf& place_of, Baked table) {
-    const PointCounts counts = points_of(request, options.certification);
     const bool certify = options.certification != Certification::off;
+    const bool is_full = options.certification == Certification::full;
     Outcome<TablePart> outcome;
 
     // The choice uses its own points and the quick search, whatever the kind of certification, which
@@ -300,12 +292,13 @@ Outcome<TablePart> make_part(const TableModel& model, const AccuracyRequest& req
     if (certify) {
         const BakeTime time(BakePart::certificate);
         // Choosing the level has already evaluated the texels of the quick certificate.
-        if (!texels || options.certification == Certification::full) {
-            texels = reference_texels(model, size, counts, options);
+        if (!texels || is_full) {
+            texels = reference_texels(model, size, is_full ? request.full : request.quick, options);
         }
         if (options.cancelled()) return outcome;
-        const FoundErrors lookup = search_table(model, level, table.image(),
-                                                search_of(request, options.certification), options);
+        const FoundErrors lookup =
+            search_table(model, level, table.image(),
+                         is_full ? request.full_search : request.quick_search, options);
         if (options.cancelled()) return outcome;
         table.certificate.texel = measure_lookups(model, table.image(), *texels).figures;
         table.certificate.texel_points = texels->count();

@@ -13,6 +13,7 @@
 #include "bakers/field/finish_table.h"
 #include "bakers/field/pixel_type.h"
 #include "bakers/field/value_kernel.h"
+#include "bakers/field/voxel_index.h"
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/files/to_string.h"
 #include "bakers/io/formats/format.h"
@@ -23,10 +24,6 @@
 
 namespace skybake {
 namespace {
-
-std::int64_t voxel_index(const std::array<int, 3>& size, const std::array<int, 3>& voxel) {
-    return (std::int64_t{voxel[2]} * size[1] + voxel[1]) * size[0] + voxel[0];
-}
 
 std::vector<ProbeLookup> lookups_of(const Probe& probe) {
     if (!probe.blend) return {{probe.uvw}};
@@ -128,7 +125,7 @@ class VoxelCheck {
 
     void want(const TextureUse& use, const std::array<double, 3>& uvw) {
         for (const VoxelTap& tap : lookup_taps(use, uvw)) {
-            wanted_.push_back(voxel_index(level_.size, tap.voxel));
+            wanted_.push_back(index_in({{}, level_.size}, tap.voxel));
         }
     }
 
@@ -136,7 +133,7 @@ class VoxelCheck {
     ReadableTexture kept_texture() const {
         const auto read = [this](const std::array<VoxelTap, 8>& taps, float* values) {
             for (const VoxelTap& tap : taps) {
-                const std::int64_t index = voxel_index(level_.size, tap.voxel);
+                const std::int64_t index = index_in({{}, level_.size}, tap.voxel);
                 const auto found = std::ranges::lower_bound(wanted_, index);
                 const auto at = static_cast<std::size_t>(found - wanted_.begin()) * channels_;
                 values = std::copy_n(&kept_[at], channels_, values);
