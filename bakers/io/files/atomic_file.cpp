@@ -68,20 +68,6 @@ bool is_unchanged(const fs::path& path, const struct stat& status, std::string_v
     return file.valid() && holds(file.get(), bytes);
 }
 
-// Writes all bytes; returns errno, 0, or ECANCELED.
-int write_all(int descriptor, std::string_view bytes, const Progress* progress) {
-    constexpr std::size_t piece = std::size_t{4} << 20;  // between checks of `progress`
-    while (!bytes.empty()) {
-        if (is_cancelled(progress)) return ECANCELED;
-        const ssize_t count = ::write(descriptor, bytes.data(), std::min(bytes.size(), piece));
-        if (count < 0 && errno == EINTR) continue;
-        if (count < 0) return errno;
-        if (count == 0) return EIO;
-        bytes.remove_prefix(static_cast<std::size_t>(count));
-    }
-    return is_cancelled(progress) ? ECANCELED : 0;
-}
-
 int flush_by(int (*call)(int), int descriptor) {
     if (uninterrupted([&] { return call(descriptor); }) == 0) return 0;
     return errno == EINVAL || errno == ENOTSUP || errno == ENOSYS ? 0 : errno;
@@ -94,12 +80,6 @@ int keep_mode(const TemporaryFile& temporary, const FileStatus& old) {
     if (!old) return 0;
     const mode_t mode = (old->st_mode & 07777) | S_IRUSR;
     return uninterrupted([&] { return ::fchmod(temporary.descriptor(), mode); }) == 0 ? 0 : errno;
-}
-
-// Writes the bytes to the temporary. Returns errno, 0, or ECANCELED.
-int fill(const TemporaryFile& temporary, std::string_view bytes, const Progress* progress) {
-    const int error = write_all(temporary.descriptor(), bytes, progress);
-    return error != 0 ? error : flush_data(temporary.descriptor());
 }
 
 // Whether a link leads to a device or to an open file of a process, as /dev/stdout does. Such names
@@ -185,20 +165,17 @@ AtomicFiles::~AtomicFiles() = default;
 
 Outcome<WriteResult> AtomicFiles::stage(const fs::path& path, std::string_view bytes,
                                         const Progress* progress) {
-    const Outcome<FileStatus> found = find_old(path);
-    if (!found.value) return {{}, found.diagnostics};
-    const FileStatus& old = *found.value;
-    if (left_overs_ == LeftOvers::to_be_removed) remove_stale_temporaries(path);
-    if (old && is_unchanged(path, *old, bytes)) return {WriteResult::unchanged, {}};
-    if (is_cancelled(progress)) return {WriteResult::interrupted, {}};
-    auto staged = begin(path);
-    if (!staged.value) return {{}, std::move(staged.diagnostics)};
-    const int error = fill((*staged.value)->temporary, bytes, progress);
-    if (error == ECANCELED) return {WriteResult::interrupted, {}};
-    if (error != 0) return failure(path, error);
-    if (const int fault = keep_mode((*staged.value)->temporary, old)) return failure(path, fault);
-    keep(std::move(*staged.value));
-    return {WriteResult::written, {}};
+    const Outcome<FileStatus> old = find_old(path);
+    if (old.value && *old.value && is_unchanged(path, **old.value, bytes)) {
+        if (left_overs_ == LeftOvers::to_be_removed) remove_stale_temporaries(path);
+        return {WriteResult::unchanged, {}};
+    }
+    const auto write = [bytes](const fs::path& temporary) {
+        FileOutput output(temporary);
+        output.write(bytes);
+        return output.finished(true);
+    };
+    return stage(path, write, progress);
 }
 
 Outcome<WriteResult> AtomicFiles::stage(const fs::path& path, const FileWriter& write,

@@ -121,19 +121,17 @@ Outcome<bool> write_f32_file(const FileContent& content, const fs::path& path) {
 
 // Finds the layout whose head the file has; none: another one.
 std::optional<F32Layout> layout_in(FileInput& file, const FileShape& shape) {
-    std::string head(8, '\0');
-    const auto done = file.read(0, head.data(), head.size());
-    if (!done || *done < head.size()) return std::nullopt;
+    const auto head = file_part(file, 0, 8);
+    if (!head) return std::nullopt;
     F32Layout layout = {shape.size, 1, shape.size[2] == 1};
     if (!layout.is_flat) {
-        const int images = static_cast<unsigned char>(head[2]) | static_cast<unsigned char>(head[3])
-                                                                     << 8;
-        if (head != f32_head(layout)) layout.images = images;
+        const auto images = static_cast<int>(little(*head, 2, 2));
+        if (*head != f32_head(layout)) layout.images = images;
         if (layout.images < 1 || shape.size[0] % layout.images != 0) return std::nullopt;
     }
     const std::string wanted = f32_head(layout);
     const std::uint64_t bytes = wanted.size() + layout.texels() * f32_stored * sizeof(float);
-    if (head.substr(0, wanted.size()) != wanted || file.size() != bytes) return std::nullopt;
+    if (!head->starts_with(wanted) || file.size() != bytes) return std::nullopt;
     return layout;
 }
 

@@ -94,13 +94,11 @@ class Ktx2Writer {
             output_.write(std::string(begin - output_.position(), '\0'));
         }
         place.offset = output_.position();
-        const bool complete = is_compressed() ? write_frame(level) : write_as_it_is(level);
+        const bool complete =
+            is_compressed() ? write_frame(level)
+                            : write_texture(content_, static_cast<int>(level), texel_sink(output_));
         place.bytes = output_.position() - place.offset;
         return complete;
-    }
-
-    bool write_as_it_is(std::size_t level) {
-        return write_texture(content_, static_cast<int>(level), texel_sink(output_));
     }
 
     bool write_frame(std::size_t level) {
@@ -147,11 +145,7 @@ class Ktx2File {
 
     // Reads a part of the head. Nothing: it is not in the file, or longer than `most`.
     std::optional<std::string> part(std::uint32_t offset, std::uint32_t bytes, std::uint32_t most) {
-        if (bytes > most) return std::nullopt;
-        std::string part(bytes, '\0');
-        const auto done = file_.read(offset, part.data(), bytes);
-        if (!done || *done < bytes) return std::nullopt;
-        return part;
+        return bytes > most ? std::nullopt : file_part(file_, offset, bytes);
     }
 
   private:
@@ -214,9 +208,7 @@ Outcome<FileFacts> inspect_ktx2(const fs::path& path) {
     const auto descriptor =
         file.value->part(header.descriptor_offset, header.descriptor_bytes, most_descriptor);
     if (descriptor != data_format_descriptor(*facts.pixel_type, facts.channels)) {
-        return {
-            {},
-            {damaged_file(path, "KTX2", "its data format descriptor is not that of its VkFormat")}};
+        return damaged_file(path, "KTX2", "its data format descriptor is not that of its VkFormat");
     }
     const auto values = file.value->part(header.values_offset, header.values_bytes, most_values);
     if (!values) return damaged_file(path, "KTX2", "it ends within its keys and values");
@@ -238,9 +230,7 @@ bool fits_ktx2(const Ktx2Header& header, const FileShape& shape) {
                                           static_cast<std::size_t>(shape.levels));
     return has_square_faces(shape.size, shape.levels, shape.parts) &&
            header.vk_format == wanted.vk_format && header.type_size == wanted.type_size &&
-           header.width == wanted.width && header.height == wanted.height &&
-           header.depth == wanted.depth && header.layers == wanted.layers &&
-           header.faces == wanted.faces && header.levels == wanted.levels;
+           header.extent() == extent && header.levels == wanted.levels;
 }
 
 Outcome<bool> read_ktx2_file(const fs::path& path, const FileShape& shape, int level,
