@@ -54,6 +54,7 @@ class FileInput {
     // the message says which.
     static Outcome<FileInput> open(const std::filesystem::path& path);
 
+    const std::filesystem::path& path() const { return path_; }
     std::uint64_t size() const { return size_; }
     // Reads up to `count` bytes at `position` and returns how many were read; fewer than `count`
     // only at the end of the file. After an error it returns nothing; see diagnostic().

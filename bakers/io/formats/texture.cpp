@@ -198,14 +198,14 @@ std::uint64_t texture_bytes(const std::array<int, 3>& size, PixelType type, std:
 
 bool write_texture(const FileContent& content, int level, const TexelSink& put) {
     if (config::is_block_coded(content.baked.pixel_type)) return write_blocks(content, level, put);
-    return write_texels(content, level, TexelPadding::three_to_four, put);
+    return write_texels(content, level, put, true);
 }
 
 config::Outcome<bool> read_texture(const TexelInput& next, const std::array<int, 3>& size,
                                    PixelType type, std::size_t channels,
                                    const VoxelVisitor& visit) {
     if (config::is_block_coded(type)) return read_blocks(next, size, type, channels, visit);
-    return read_texels(next, {0, size, channels, stored_channels(channels), type}, visit);
+    return read_texels(next, {size, channels, stored_channels(channels), type}, visit);
 }
 
 }  // namespace skybake

@@ -222,13 +222,13 @@ Outcome<ManifestAsset> entry_of_file(const std::filesystem::path& path) {
     const std::string extension = path.extension().string();
     const Format* format = find_format(extension.empty() ? "exr" : extension.substr(1));
     if (format == nullptr) format = &format_of(config::FileFormat::exr);
+    Outcome<FileInput> file = FileInput::open(path);
+    if (!file.value) return {{}, std::move(file.diagnostics)};
     std::string text;
     if (format->has_metadata) {
-        const auto facts = format->inspect(path);
+        const auto facts = format->inspect(*file.value);
         if (!facts.value) return {{}, facts.diagnostics};
         text = facts.value->metadata;
-    } else if (const auto file = FileInput::open(path); !file.value) {
-        return {{}, file.diagnostics};
     }
     Outcome<ManifestAsset> entry = parse_file_entry(text, path.string());
     if (!entry.value) {
@@ -240,8 +240,7 @@ Outcome<ManifestAsset> entry_of_file(const std::filesystem::path& path) {
             "a manifest.json in its folder may describe it");
     }
     entry.value->name = path.stem().string();
-    std::error_code error;
-    entry.value->files[0].bytes = std::filesystem::file_size(path, error);
+    entry.value->files[0].bytes = file.value->size();
     return entry;
 }
 

@@ -220,7 +220,9 @@ void check_content(Examination& examination, const std::filesystem::path& path,
     const Format* format = find_format(file.format);
     if (format == nullptr) return;  // a text, checked by its hash
     if (format->inspect) {
-        const Outcome<FileFacts> facts = format->inspect(path);
+        Outcome<FileInput> input = FileInput::open(path);
+        const Outcome<FileFacts> facts =
+            input.value ? format->inspect(*input.value) : Outcome<FileFacts>{{}, input.diagnostics};
         if (!examination.expect_read(facts, "format")) return;
         check_facts(examination, *facts.value, asset, file);
         if (format->has_metadata) {

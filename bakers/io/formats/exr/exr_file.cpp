@@ -65,11 +65,11 @@ Outcome<bool> write_exr_file(const FileContent& content, const fs::path& path) {
     return {complete, {}};
 }
 
-Outcome<FileFacts> inspect_exr(const fs::path& path) {
-    const Outcome<ExrRows> image = ExrRows::open(path);
+Outcome<FileFacts> inspect_exr(FileInput& file) {
+    const Outcome<ExrRows> image = ExrRows::open(file.path());
     if (!image.value) return {{}, image.diagnostics};
     const std::string& window = image.value->facts().window;
-    if (!window.empty()) return damaged_exr(path.string(), "it is cropped to " + window);
+    if (!window.empty()) return damaged_exr(file.path().string(), "it is cropped to " + window);
     FileFacts facts;
     facts.pixel_type = image.value->facts().pixel_type;
     facts.names = image.value->facts().channel_names;
@@ -82,14 +82,14 @@ Outcome<FileFacts> inspect_exr(const fs::path& path) {
     return {std::move(facts), {}};
 }
 
-Outcome<bool> read_exr_file(const fs::path& path, const FileShape& shape, int,
+Outcome<bool> read_exr_file(FileInput& file, const FileShape& shape, int,
                             const VoxelVisitor& visit) {
-    Outcome<ExrRows> image = ExrRows::open(path);
+    Outcome<ExrRows> image = ExrRows::open(file.path());
     if (!image.value) return {{}, std::move(image.diagnostics)};
     const RowSource rows = rows_of(*image.value);
     const std::array<std::int64_t, 2> size = {rows.width, rows.height};
     if (size != image_size(shape.size, shape.grid) || rows.channels != shape.channels) {
-        return other_size(path);
+        return other_size(file.path());
     }
     return read_sheet(rows, shape.size, shape.grid, visit);
 }

@@ -159,17 +159,13 @@ Outcome<bool> read_turned(FileInput& file, const F32Layout& layout, std::size_t 
     return {true, {}};
 }
 
-Outcome<bool> read_f32_file(const fs::path& path, const FileShape& shape, int,
+Outcome<bool> read_f32_file(FileInput& file, const FileShape& shape, int,
                             const VoxelVisitor& visit) {
-    Outcome<FileInput> file = FileInput::open(path);
-    if (!file.value) return {{}, std::move(file.diagnostics)};
-    const auto layout = layout_in(*file.value, shape);
-    if (!layout || shape.channels > f32_stored) return other_size(path);
-    if (layout->is_turned()) return read_turned(*file.value, *layout, shape.channels, visit);
-    return read_texels(
-        *file.value,
-        {f32_head(*layout).size(), shape.size, shape.channels, f32_stored, PixelType::float32},
-        visit);
+    const auto layout = layout_in(file, shape);
+    if (!layout || shape.channels > f32_stored) return other_size(file.path());
+    if (layout->is_turned()) return read_turned(file, *layout, shape.channels, visit);
+    return read_texels(texel_input(file, f32_head(*layout).size()),
+                       {shape.size, shape.channels, f32_stored, PixelType::float32}, visit);
 }
 
 }  // namespace

@@ -219,13 +219,11 @@ class Reader {
     png_infop info_;
 };
 
-Outcome<FileFacts> inspect_png(const fs::path& path) {
-    Outcome<FileInput> file = FileInput::open(path);
-    if (!file.value) return {{}, std::move(file.diagnostics)};
+Outcome<FileFacts> inspect_png(FileInput& file) {
     try {
-        return {Reader(*file.value).open(), {}};
+        return {Reader(file).open(), {}};
     } catch (const std::exception& error) {
-        return damaged_file(path, "PNG", error.what());
+        return damaged_file(file.path(), "PNG", error.what());
     }
 }
 
@@ -273,20 +271,18 @@ class HeldRows {
     std::vector<std::string> rows_;
 };
 
-Outcome<bool> read_png_file(const fs::path& path, const FileShape& shape, int,
+Outcome<bool> read_png_file(FileInput& file, const FileShape& shape, int,
                             const VoxelVisitor& visit) {
-    Outcome<FileInput> file = FileInput::open(path);
-    if (!file.value) return {{}, std::move(file.diagnostics)};
     try {
-        const HeldRows rows(*file.value);
+        const HeldRows rows(file);
         if (rows.facts().image_size != image_size(shape.size, shape.grid) ||
             rows.facts().channels != shape.channels ||
             rows.facts().pixel_type != shape.pixel_type) {
-            return other_size(path);
+            return other_size(file.path());
         }
         return read_sheet(rows.source(), shape.size, shape.grid, visit);
     } catch (const std::exception& error) {
-        return damaged_file(path, "PNG", error.what());
+        return damaged_file(file.path(), "PNG", error.what());
     }
 }
 
