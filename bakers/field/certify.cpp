@@ -124,9 +124,7 @@ VolumeErrors measure(const Level& level, PixelType type, const VolumeReference& 
             const Lookup lookup = look_up(voxels, level, places.uvw[at]);
             weights[at] = places.weight(level, lookup);
             const std::vector<double> wanted = reference(places.uvw[at]);
-            errors[at] = comparison.errors
-                             ? comparison.errors(places.uvw[at], lookup.values, wanted)
-                             : shares_of_range(level, lookup.values, wanted);
+            errors[at] = errors_of(level, comparison, places.uvw[at], lookup.values, wanted);
             noise[at].resize(errors[at].size());
             if (comparison.noise) noise[at] = comparison.noise(wanted);
         }
@@ -208,8 +206,10 @@ MeasuredErrors measure_kernel(const TableModel& model, int level, const Referenc
                             }));
 }
 
-std::vector<double> shares_of_range(const Level& level, const std::vector<double>& found,
-                                    const std::vector<double>& wanted) {
+std::vector<double> errors_of(const Level& level, const VolumeComparison& comparison,
+                              const std::array<double, 3>& uvw, const std::vector<double>& found,
+                              const std::vector<double>& wanted) {
+    if (comparison.errors) return comparison.errors(uvw, found, wanted);
     std::vector<double> errors;
     for (std::size_t c = 0; c < found.size(); ++c) {
         const double range = level.statistics[c].max - level.statistics[c].min;

@@ -98,10 +98,12 @@ VolumeErrors measure_voxels(const Level& level, PixelType type, const VolumeRefe
                             int count, const BakeOptions& options,
                             const VolumeComparison& comparison = {});
 
-// Returns the errors of values as shares of each channel's range, max - min. A channel that has one
-// value everywhere is compared by absolute differences.
-std::vector<double> shares_of_range(const Level& level, const std::vector<double>& found,
-                                    const std::vector<double>& wanted);
+// Returns the errors of values at texture coordinates: those of the comparison or, if it has none, shares
+// of each channel's range, max - min. A channel that has one value everywhere is compared by absolute
+// differences.
+std::vector<double> errors_of(const Level& level, const VolumeComparison& comparison,
+                              const std::array<double, 3>& uvw, const std::vector<double>& found,
+                              const std::vector<double>& wanted);
 
 // Returns the result of a lookup of the stored voxels, one value per channel.
 std::vector<double> look_up(const Level& level, PixelType type, const std::array<double, 3>& uvw);

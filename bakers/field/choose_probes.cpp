@@ -315,6 +315,17 @@ std::vector<ProbeCandidate> candidates_of(const std::vector<ProbeSpace>& spaces)
     return candidates;
 }
 
+Probe as_probe(TakenProbe taken) {
+    Probe probe;
+    const std::vector<ProbeLookup>& lookups = taken.place.lookups;
+    probe.uvw = lookups.front().uvw;
+    if (lookups.size() > 1) probe.blend = BlendedLookup{lookups[1].uvw, lookups[1].share};
+    probe.value = std::move(taken.value.value);
+    probe.tolerance = std::move(taken.value.tolerance);
+    probe.at = std::move(taken.place.at);
+    return probe;
+}
+
 }  // namespace
 
 ProbeValue probe_value(const ProbedTexture& probed, const std::vector<ProbeLookup>& lookups) {
@@ -381,17 +392,6 @@ ProbeSet take_probes(const ProbedTexture& texture, const std::vector<ProbeSpace>
         set.probes.push_back({std::move(candidate.place), std::move(candidate.value)});
     }
     return set;
-}
-
-Probe as_probe(TakenProbe taken) {
-    Probe probe;
-    const std::vector<ProbeLookup>& lookups = taken.place.lookups;
-    probe.uvw = lookups.front().uvw;
-    if (lookups.size() > 1) probe.blend = BlendedLookup{lookups[1].uvw, lookups[1].share};
-    probe.value = std::move(taken.value.value);
-    probe.tolerance = std::move(taken.value.tolerance);
-    probe.at = std::move(taken.place.at);
-    return probe;
 }
 
 std::optional<Diagnostic> weak_probes(const std::string& asset, const ProbeSet& set) {

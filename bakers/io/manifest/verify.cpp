@@ -296,7 +296,7 @@ Outcome<VerifyReport> verify_bake(const std::filesystem::path& path,
         check_further(report, asset, further);
     }
     for (const FolderCheck& check : of_folder) {
-        for (VerifyFailure& failure : check.run(*manifest.value, place.folder, report.checks)) {
+        for (VerifyFailure& failure : check(*manifest.value, place.folder, report.checks)) {
             report.failures.push_back(std::move(failure));
         }
     }
