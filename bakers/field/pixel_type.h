@@ -65,13 +65,10 @@ void store_values(const float* values, std::size_t count, config::PixelType type
 // Converts stored bytes to floats: exactly, but for unorm to the nearest floats.
 void load_values(const char* bytes, std::size_t count, config::PixelType type, float* out);
 
-// Rounds the values in place to what a file of the type holds. Every value must fit the type; for rgbe,
-// three channels are interleaved, and texels that it cannot hold stay as they are.
-void round_values(float* values, std::size_t count, config::PixelType type);
-
 inline constexpr float largest_rgbe = 0x1.FEp126F;  // 255 steps of 2^119
 
-// Rounds interleaved texels, `count` numbers. A texel that is not in [0, largest_rgbe] stays as it is.
-void round_to_rgbe(float* values, std::size_t count);
+// Rounds the values in place to what a file of the type holds. Every value must fit the type; for rgbe,
+// three channels are interleaved, and a texel that is not in [0, largest_rgbe] stays as it is.
+void round_values(float* values, std::size_t count, config::PixelType type);
 
 }  // namespace skybake

@@ -185,9 +185,9 @@ Outcome<WriteResult> AtomicFiles::stage(const fs::path& path, const FileWriter& 
     const FileStatus& old = *found.value;
     if (left_overs_ == LeftOvers::to_be_removed) remove_stale_temporaries(path);
     if (is_cancelled(progress)) return {WriteResult::interrupted, {}};
-    auto staged = begin(path);
-    if (!staged.value) return {{}, std::move(staged.diagnostics)};
-    const TemporaryFile& temporary = (*staged.value)->temporary;
+    auto staged = std::make_unique<Staged>(path);
+    const TemporaryFile& temporary = staged->temporary;
+    if (!temporary.valid()) return failure(path, errno);
     Outcome<bool> written = write(temporary.path());
     for (Diagnostic& diagnostic : written.diagnostics) {
         rename_in_text(diagnostic.message, temporary.path().string(), path.string());
@@ -201,22 +201,11 @@ Outcome<WriteResult> AtomicFiles::stage(const fs::path& path, const FileWriter& 
     }
     if (is_cancelled(progress)) return {WriteResult::interrupted, {}};
     if (const int error = keep_mode(temporary, old)) return failure(path, error);
-    keep(std::move(*staged.value));
-    return {WriteResult::written, std::move(written.diagnostics)};
-}
-
-// Creates an empty temporary beside the file.
-Outcome<std::unique_ptr<AtomicFiles::Staged>> AtomicFiles::begin(const fs::path& path) {
-    auto staged = std::make_unique<Staged>(path);
-    if (!staged->temporary.valid()) return {{}, failure(path, errno).diagnostics};
-    return {std::move(staged), {}};
-}
-
-// Closes the file before. The first and the last stay open, because their locks show other processes
-// that this one lives: the first until it is renamed, and the last while the others are.
-void AtomicFiles::keep(std::unique_ptr<Staged> staged) {
+    // The first file and the last stay open, because their locks show other processes that this one lives:
+    // the first until it is renamed, and the last while the others are.
     if (staged_.size() > 1) staged_.back()->temporary.close();
     staged_.push_back(std::move(staged));
+    return {WriteResult::written, std::move(written.diagnostics)};
 }
 
 void AtomicFiles::shrink(std::size_t count) { staged_.resize(std::min(count, staged_.size())); }

@@ -44,6 +44,35 @@ std::string statistics_text(const std::vector<std::string>& channels, const Mani
     return text;
 }
 
+// "texel max 1e-7 rms 2e-8 (1024 points); lookup max ..."
+std::string error_line(const std::optional<Certificate>& certificate) {
+    if (!certificate) return "not measured";
+    const Certificate& c = *certificate;
+    std::string line;
+    if (c.sky) {
+        line = fmt::format(
+            "sky median {} ninth decile {} max {} standard error {} ({} values), reference: {}; ",
+            c.sky->median, c.sky->ninth_decile, c.sky->max, c.sky->standard_error, c.sky->points,
+            c.sky->reference);
+    }
+    if (c.color) {
+        line += fmt::format("colour median {} ninth decile {} max {} ({} skies); ", c.color->median,
+                            c.color->ninth_decile, c.color->max, c.color->skies);
+    }
+    line += fmt::format(
+        "lookup max {} rms {} ({} points); texel max {} rms {} ({} points); reference: {}; scale: "
+        "{}",
+        c.lookup.max, c.lookup.rms, c.lookup_points, c.texel.max, c.texel.rms, c.texel_points,
+        c.reference, c.scale);
+    if (!c.worst.empty()) line += fmt::format("; worst at {}", c.worst);
+    return line;
+}
+
+std::string axis_line(const AxisMapping& axis) {
+    return fmt::format("{} from {} to {}, {}: {}", axis.quantity, axis.first, axis.last,
+                       axis.convention, axis.formula);
+}
+
 using Json = nlohmann::ordered_json;
 
 // Whether a key only tells where other values come from (`include`, `preset`, `frequency`). The
@@ -151,34 +180,6 @@ std::string units_line(const Conventions& conventions) {
             irradiance_text(conventions.solar_irradiance)));
     }
     return fmt::format("{}", fmt::join(parts, ", "));
-}
-
-std::string error_line(const std::optional<Certificate>& certificate) {
-    if (!certificate) return "not measured";
-    const Certificate& c = *certificate;
-    std::string line;
-    if (c.sky) {
-        line = fmt::format(
-            "sky median {} ninth decile {} max {} standard error {} ({} values), reference: {}; ",
-            c.sky->median, c.sky->ninth_decile, c.sky->max, c.sky->standard_error, c.sky->points,
-            c.sky->reference);
-    }
-    if (c.color) {
-        line += fmt::format("colour median {} ninth decile {} max {} ({} skies); ", c.color->median,
-                            c.color->ninth_decile, c.color->max, c.color->skies);
-    }
-    line += fmt::format(
-        "lookup max {} rms {} ({} points); texel max {} rms {} ({} points); reference: {}; scale: "
-        "{}",
-        c.lookup.max, c.lookup.rms, c.lookup_points, c.texel.max, c.texel.rms, c.texel_points,
-        c.reference, c.scale);
-    if (!c.worst.empty()) line += fmt::format("; worst at {}", c.worst);
-    return line;
-}
-
-std::string axis_line(const AxisMapping& axis) {
-    return fmt::format("{} from {} to {}, {}: {}", axis.quantity, axis.first, axis.last,
-                       axis.convention, axis.formula);
 }
 
 FactLines entry_lines(const ManifestAsset& asset, const ManifestFile& file) {
