@@ -50,10 +50,9 @@ MeasuredErrors measure(const TableModel& model, const ReferencePoints& points,
     const auto channels = static_cast<std::size_t>(model.channels);
     for (std::size_t j = 0; j < points.rows.size(); ++j) {
         for (std::size_t i = 0; i < values[j].size(); ++i) {
-            const double before = statistics.max();
-            statistics.add(
-                model.error(values[j][i], points.values[j][i], points.scale[i % channels]));
-            if (statistics.max() != before) {
+            const double error =
+                model.error(values[j][i], points.values[j][i], points.scale[i % channels]);
+            if (statistics.add(error)) {
                 measured.worst = {points.rows[j].x[i / channels], points.rows[j].y};
             }
         }
@@ -134,9 +133,9 @@ VolumeErrors measure(const Level& level, PixelType type, const VolumeReference& 
     ErrorStatistics statistics;
     for (std::size_t i = 0; i < errors.size(); ++i) {
         for (std::size_t c = 0; c < errors[i].size(); ++c) {
-            const double before = statistics.max();
-            statistics.add(errors[i][c], noise[i][c], weights[i]);
-            if (statistics.max() > before) result.worst = places.uvw[i];
+            if (statistics.add(errors[i][c], noise[i][c], weights[i])) {
+                result.worst = places.uvw[i];
+            }
         }
     }
     result.figures = statistics.figures();

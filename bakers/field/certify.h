@@ -126,15 +126,18 @@ VolumeErrors search_volume(const Level& level, PixelType type, const VolumeRefer
 class ErrorStatistics {
   public:
     // `noise` is the standard error of the error. noise^2 is taken off its square, and 2 noise, which one in
-    // twenty exceeds without any error, off its size. `weight` is that of its square.
-    void add(double error, double noise = 0, double weight = 1) {
+    // twenty exceeds without any error, off its size. `weight` is that of its square. Returns whether it is
+    // the largest so far.
+    bool add(double error, double noise = 0, double weight = 1) {
         const double size = std::max(std::fabs(error) - 2 * noise, 0.0);
-        if (size > max_ || std::isnan(size)) max_ = size;  // NaN stays: no bound accepts it
+        const bool is_largest = size > max_ || std::isnan(size);
+        if (is_largest) max_ = size;  // NaN stays: no bound accepts it
         const double square = weight * (error * error - noise * noise);
         sum_of_squares_ += square;
         if (noise > 0) uncertainty_ += square * square;
         ++count_;
         weights_ += weight;
+        return is_largest;
     }
     // The root mean square is no less than what the noise lets one see.
     ErrorFigures figures() const {

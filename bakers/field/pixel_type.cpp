@@ -41,7 +41,7 @@ const char* range_text(PixelType type) {
 namespace {
 
 struct TypeFacts {
-    int bytes;              // of a value; of types that code blocks, of a decoded one
+    std::size_t bytes;      // of a value; of types that code blocks, of a decoded one
     double bits;            // of a value in a file
     double rounding_error;  // of types that code blocks, that of the decoded float
 };
@@ -143,7 +143,7 @@ void round_to_rgbe(float* values, std::size_t count) {
 
 }  // namespace
 
-int bytes_per_value(PixelType type) { return facts_of(type).bytes; }
+std::size_t bytes_per_value(PixelType type) { return facts_of(type).bytes; }
 double bits_per_value(PixelType type) { return facts_of(type).bits; }
 double rounding_error(PixelType type) { return facts_of(type).rounding_error; }
 

@@ -37,7 +37,7 @@ PixelRange range_of(config::PixelType type);
 const char* range_text(config::PixelType type);
 
 // The number of bytes per value; of types that code blocks, per decoded value.
-int bytes_per_value(config::PixelType type);
+std::size_t bytes_per_value(config::PixelType type);
 
 // The smallest positive value that the type holds in full precision; 0 for unorm, whose steps are
 // equal.

@@ -153,7 +153,7 @@ void add_filled(const float* values, std::size_t count, std::size_t first, std::
 // nothing if the type cannot hold some value, which is left as it is.
 std::optional<Summary> summarize(float* values, std::size_t count, std::array<double, 2> range,
                                  PixelType type, std::int64_t step, char* stored) {
-    const auto width = static_cast<std::size_t>(bytes_per_value(type));
+    const auto width = bytes_per_value(type);
     const PixelRange bounds = range_of(type);
     const auto normal = static_cast<float>(smallest_normal(type));
     Summary summary;
@@ -312,7 +312,7 @@ class Survey {
         level_.voxels->fill(box, planes);
         slot.bad.reset();
         slot.channels.clear();
-        const auto width = static_cast<std::size_t>(bytes_per_value(volume_.pixel_type));
+        const auto width = bytes_per_value(volume_.pixel_type);
         slot.bytes.resize(count * channels * width);
         for (std::size_t c = 0; c < channels; ++c) {
             const auto summary =

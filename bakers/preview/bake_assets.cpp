@@ -38,7 +38,7 @@ std::vector<float> stored_voxels(const Baked& volume, const ShownLevel& shown,
                                  const BakeOptions& options) {
     const std::size_t channels = volume.channel_names.size();
     ShownTexels texels(volume.levels[shown.level].size, channels, shown.edge);
-    const auto width = static_cast<std::size_t>(bytes_per_value(volume.pixel_type));
+    const auto width = bytes_per_value(volume.pixel_type);
     std::vector<float> values;
     std::int64_t done = 0;
     write_texels({volume, 0, "", options.threads, options.progress}, static_cast<int>(shown.level),

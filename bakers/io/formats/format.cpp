@@ -82,7 +82,7 @@ void for_each_part(const VoxelBox& box, std::size_t channels, const Work& work) 
 
 void make(const Level& level, std::size_t channels, std::size_t stored_channels,
           config::PixelType type, const VoxelBox& box, Slot& slot) {
-    const std::size_t texel = stored_channels * static_cast<std::size_t>(bytes_per_value(type));
+    const std::size_t texel = stored_channels * bytes_per_value(type);
     slot.bytes.resize(static_cast<std::size_t>(box.count()) * texel);
     char* to = slot.bytes.data();
     for_each_part(box, stored_channels, [&](const VoxelBox& part) {
@@ -134,7 +134,7 @@ TexelSink texel_sink(FileOutput& output) {
 
 std::uint64_t StoredTexels::bytes() const {
     return static_cast<std::uint64_t>(VoxelBox{{}, size}.count()) * stored_channels *
-           static_cast<std::uint64_t>(bytes_per_value(type));
+           bytes_per_value(type);
 }
 
 config::Outcome<bool> read_texels(const TexelInput& next, const StoredTexels& texels,
@@ -142,7 +142,7 @@ config::Outcome<bool> read_texels(const TexelInput& next, const StoredTexels& te
     const std::int64_t voxels = VoxelBox{{}, texels.size}.count();
     const auto stored = static_cast<std::int64_t>(texels.stored_channels);
     const std::int64_t most = std::max<std::int64_t>(1, (std::int64_t{1} << 20) / stored);
-    const auto voxel_bytes = static_cast<std::uint64_t>(stored * bytes_per_value(texels.type));
+    const std::size_t voxel_bytes = texels.stored_channels * bytes_per_value(texels.type);
     std::string bytes;
     std::vector<float> values;
     std::vector<float> wanted;

@@ -185,7 +185,7 @@ TextureExtent texture_extent(const std::array<int, 3>& size, bool is_volume, Tex
 
 std::size_t texel_bytes(PixelType type, std::size_t channels) {
     if (config::is_block_coded(type)) return bytes_per_block(type);
-    return stored_channels(channels) * static_cast<std::size_t>(bytes_per_value(type));
+    return stored_channels(channels) * bytes_per_value(type);
 }
 
 std::uint64_t texture_bytes(const std::array<int, 3>& size, PixelType type, std::size_t channels) {

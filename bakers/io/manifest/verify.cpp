@@ -68,7 +68,7 @@ class VoxelCheck {
             min_[c] = std::min(min_[c], *std::ranges::min_element(lanes.least));
             max_[c] = std::max(max_[c], *std::ranges::max_element(lanes.most));
         }
-        bytes_.resize(total * static_cast<std::size_t>(bytes_per_value(type_)));
+        bytes_.resize(total * bytes_per_value(type_));
         store_values(values, total, type_, bytes_.data());
         hasher_.update(bytes_);
         // Both the voxels and the list of wanted voxels are in order.

@@ -111,7 +111,7 @@ Outcome<bool> write_png_file(const FileContent& content, const fs::path& path) {
     const Baked& baked = content.baked;
     if (const auto reason = png_obstacle(baked, content.level)) return contradiction(path, *reason);
     const std::size_t channels = baked.channel_names.size();
-    const auto sample = static_cast<std::size_t>(bytes_per_value(baked.pixel_type));
+    const auto sample = bytes_per_value(baked.pixel_type);
     FileOutput output(path);
     bool complete = false;
     std::string reason;
@@ -263,7 +263,7 @@ class HeldRows {
     bool can_hold(std::uint64_t bytes) const {
         const double samples =
             static_cast<double>(facts_.image_size[0]) * static_cast<double>(facts_.image_size[1]) *
-            static_cast<double>(facts_.channels) * bytes_per_value(*facts_.pixel_type);
+            static_cast<double>(facts_.channels * bytes_per_value(*facts_.pixel_type));
         return samples <= 1032.0 * static_cast<double>(bytes);
     }
 

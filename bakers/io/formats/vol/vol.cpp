@@ -59,7 +59,7 @@ Outcome<bool> write_vol_file(const FileContent& content, const fs::path& path) {
     std::string floats;
     const bool complete =
         write_texels(content, content.level, [&](std::string_view texels) {
-            const auto bytes = static_cast<std::size_t>(bytes_per_value(volume.pixel_type));
+            const auto bytes = bytes_per_value(volume.pixel_type);
             const std::size_t count = texels.size() / bytes;
             floats.resize(count * sizeof(float));
             load_values(texels.data(), count, volume.pixel_type,
