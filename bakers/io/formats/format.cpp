@@ -20,9 +20,7 @@ std::span<const Format> formats() {
 }
 
 const Format& format_of(config::FileFormat format) {
-    const auto rows = formats();
-    return *std::find_if(rows.begin(), rows.end(),
-                         [format](const Format& row) { return row.format == format; });
+    return *std::ranges::find(formats(), format, &Format::format);
 }
 
 const Format* find_format(std::string_view word) {

@@ -100,10 +100,8 @@ config::Outcome<bool> read_blocks(const TexelInput& next, const std::array<int, 
 }  // namespace
 
 std::uint32_t texel_code(std::span<const TexelCodes> rows, PixelType type, std::size_t channels) {
-    const auto row = std::find_if(rows.begin(), rows.end(),
-                                  [type](const TexelCodes& entry) { return entry.type == type; });
-    const auto column =
-        std::find(channels_of_codes.begin(), channels_of_codes.end(), stored_channels(channels));
+    const auto row = std::ranges::find(rows, type, &TexelCodes::type);
+    const auto column = std::ranges::find(channels_of_codes, stored_channels(channels));
     if (row == rows.end() || column == channels_of_codes.end()) return 0;
     return row->codes[static_cast<std::size_t>(column - channels_of_codes.begin())];
 }

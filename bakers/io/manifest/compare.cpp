@@ -102,7 +102,7 @@ constexpr std::int64_t most_compared = 16384;  // along an axis
 bool holds_numbers(const VdbGrid& grid) {
     constexpr std::array<std::string_view, 8> types = {"float", "half", "double", "int32",
                                                        "int64", "fp8",  "fp16",   "vec3s"};
-    return std::find(types.begin(), types.end(), grid.value_type) != types.end();
+    return std::ranges::find(types, grid.value_type) != types.end();
 }
 
 std::map<std::string, const VdbGrid*> grids_by_channel(const VdbFile& file) {

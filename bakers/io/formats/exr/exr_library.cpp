@@ -59,9 +59,7 @@ constexpr std::array<Codec, Imf::NUM_COMPRESSION_METHODS> codecs = {{
 }};
 
 std::size_t codec_of(Compression compression) {
-    const auto found =
-        std::find_if(codecs.begin(), codecs.end(),
-                     [compression](const Codec& codec) { return codec.ours == compression; });
+    const auto found = std::ranges::find(codecs, compression, &Codec::ours);
     return static_cast<std::size_t>(found - codecs.begin());
 }
 

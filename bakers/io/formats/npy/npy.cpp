@@ -30,8 +30,7 @@ constexpr std::array<NpyType, 4> npy_types = {{{PixelType::float32, "<f4"},
 // Returns what stands before the texels, padded to a multiple of 64 bytes.
 std::string npy_head(const std::array<int, 3>& size, bool is_flat, std::size_t channels,
                      PixelType type) {
-    const auto row = std::find_if(npy_types.begin(), npy_types.end(),
-                                  [type](const NpyType& entry) { return entry.type == type; });
+    const auto row = std::ranges::find(npy_types, type, &NpyType::type);
     const std::string slices = is_flat ? "" : fmt::format("{}, ", size[2]);
     std::string text =
         fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': ({}{}, {}, {}), }}",
