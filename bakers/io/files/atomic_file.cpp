@@ -1,7 +1,6 @@
 #include "bakers/io/files/atomic_file.h"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -20,15 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using FileStatus = std::optional<struct stat>;
-
-Outcome<WriteResult> failure(const fs::path& path, const std::string& reason) {
-    return file_error("E0301", path.string(),
-                      fmt::format("cannot write `{}`: {}", path.string(), reason));
-}
-
-Outcome<WriteResult> failure(const fs::path& path, int error) {
-    return failure(path, system_reason(error));
-}
 
 // Fills `bytes` as far as the file goes. Returns the number of bytes read, or nothing if it cannot
 // be read.
@@ -93,21 +83,19 @@ bool belongs_to_system(const fs::path& link) {
 // Returns the status of the regular file that a file of this name would replace. Returns an empty
 // status if there is no file, or only a symbolic link, whose target does not matter.
 Outcome<FileStatus> find_old(const fs::path& path) {
-    const auto refuse = [&path](const std::string& reason) -> Outcome<FileStatus> {
-        return {{}, failure(path, reason).diagnostics};
-    };
-    if (!path.has_filename()) return refuse("it is a folder");
+    if (!path.has_filename()) return cannot_write(path, "it is a folder");
     struct stat status {};
     if (::lstat(path.c_str(), &status) != 0) {
-        if (errno != ENOENT) return refuse(system_reason(errno));
+        if (errno != ENOENT) return cannot_write(path, system_reason(errno));
         return {FileStatus(), {}};
     }
     if (S_ISLNK(status.st_mode)) {
-        if (belongs_to_system(path)) return refuse("it is a link to a device or an open file");
+        if (belongs_to_system(path))
+            return cannot_write(path, "it is a link to a device or an open file");
         return {FileStatus(), {}};
     }
-    if (S_ISDIR(status.st_mode)) return refuse("it is a folder");
-    if (!S_ISREG(status.st_mode)) return refuse("it is not a regular file");
+    if (S_ISDIR(status.st_mode)) return cannot_write(path, "it is a folder");
+    if (!S_ISREG(status.st_mode)) return cannot_write(path, "it is not a regular file");
     return {FileStatus(status), {}};
 }
 
@@ -187,7 +175,7 @@ Outcome<WriteResult> AtomicFiles::stage(const fs::path& path, const FileWriter& 
     if (is_cancelled(progress)) return {WriteResult::interrupted, {}};
     auto staged = std::make_unique<Staged>(path);
     const TemporaryFile& temporary = staged->temporary;
-    if (!temporary.valid()) return failure(path, errno);
+    if (!temporary.valid()) return cannot_write(path, system_reason(errno));
     Outcome<bool> written = write(temporary.path());
     for (Diagnostic& diagnostic : written.diagnostics) {
         rename_in_text(diagnostic.message, temporary.path().string(), path.string());
@@ -195,12 +183,14 @@ Outcome<WriteResult> AtomicFiles::stage(const fs::path& path, const FileWriter& 
     }
     if (!written.value) return {{}, std::move(written.diagnostics)};
     if (!*written.value || is_cancelled(progress)) return {WriteResult::interrupted, {}};
-    if (const int error = flush_data(temporary.descriptor())) return failure(path, error);
+    if (const int error = flush_data(temporary.descriptor()))
+        return cannot_write(path, system_reason(error));
     if (old && same_bytes(path, temporary.path(), progress)) {
         return {WriteResult::unchanged, std::move(written.diagnostics)};
     }
     if (is_cancelled(progress)) return {WriteResult::interrupted, {}};
-    if (const int error = keep_mode(temporary, old)) return failure(path, error);
+    if (const int error = keep_mode(temporary, old))
+        return cannot_write(path, system_reason(error));
     // The first file and the last stay open, because their locks show other processes that this one lives:
     // the first until it is renamed, and the last while the others are.
     if (staged_.size() > 1) staged_.back()->temporary.close();
@@ -232,7 +222,8 @@ std::vector<Diagnostic> AtomicFiles::commit() {
     if (error == 0 && named > 0) error = flush_folder(staged_.back()->path.parent_path());
     std::vector<Diagnostic> failures;
     if (error != 0) {
-        failures = failure(staged_[std::min(named, staged_.size() - 1)]->path, error).diagnostics;
+        failures = {
+            cannot_write(staged_[std::min(named, staged_.size() - 1)]->path, system_reason(error))};
     }
     staged_.erase(staged_.begin(), staged_.begin() + static_cast<std::ptrdiff_t>(named));
     return failures;

@@ -1,6 +1,5 @@
 #include "bakers/io/manifest/journal.h"
 
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -86,9 +85,7 @@ std::vector<Diagnostic> BakeJournal::add(std::span<const ManifestAsset> entries)
                           ? write_text_to(file_->descriptor(), manifest_json(manifest))
                           : errno;
     if (error == 0) return {};
-    const std::string path = file.string();
-    return {file_error("E0301", path,
-                       fmt::format("cannot write `{}`: {}", path, system_reason(error)))};
+    return {cannot_write(file, system_reason(error))};
 }
 
 void BakeJournal::discard() {

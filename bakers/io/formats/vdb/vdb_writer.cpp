@@ -54,11 +54,6 @@ std::vector<std::span<const Part>> nodes_of(std::span<const Part> parts, int edg
 
 }  // namespace
 
-Diagnostic cannot_write_vdb(const std::filesystem::path& path, const std::string& reason) {
-    return file_error("E0301", path.string(),
-                      fmt::format("cannot write `{}`: {}", path.string(), reason));
-}
-
 VdbWriter::VdbWriter(const Baked& volume, const Level& level, const VdbCodec& codec,
                      std::size_t most_kept_bytes, Progress* progress,
                      const std::filesystem::path& path)

@@ -38,9 +38,6 @@ struct VdbStripSlot {
     std::optional<config::Diagnostic> error;
 };
 
-// Returns E0301 with the reason.
-config::Diagnostic cannot_write_vdb(const std::filesystem::path& path, const std::string& reason);
-
 class VdbWriter {
   public:
     // All arguments must outlive the writer. `progress` may be null.
@@ -70,7 +67,7 @@ class VdbWriter {
         try {
             work();
         } catch (const std::exception& failure) {
-            error = cannot_write_vdb(path_, failure.what());
+            error = cannot_write(path_, failure.what());
         }
     }
 
