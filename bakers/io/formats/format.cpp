@@ -98,7 +98,7 @@ void make(const Level& level, std::size_t channels, std::size_t stored_channels,
 }
 
 // Drops the stored channels that nobody asked for.
-void drop_padding(const std::vector<float>& stored, const StoredTexels& texels,
+void drop_padding(const std::vector<float>& stored, const StoredTexelRange& texels,
                   std::vector<float>& values) {
     const std::size_t count = stored.size() / texels.stored_channels;
     values.resize(count * texels.channels);
@@ -130,12 +130,12 @@ TexelSink texel_sink(FileOutput& output) {
     };
 }
 
-std::uint64_t StoredTexels::bytes() const {
+std::uint64_t StoredTexelRange::bytes() const {
     return static_cast<std::uint64_t>(VoxelBox{{}, size}.count()) * stored_channels *
            bytes_per_value(type);
 }
 
-config::Outcome<bool> read_texels(const TexelInput& next, const StoredTexels& texels,
+config::Outcome<bool> read_texels(const TexelInput& next, const StoredTexelRange& texels,
                                   const VoxelVisitor& visit) {
     const std::int64_t voxels = VoxelBox{{}, texels.size}.count();
     const auto stored = static_cast<std::int64_t>(texels.stored_channels);

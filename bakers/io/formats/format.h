@@ -142,7 +142,7 @@ bool write_texels(const FileContent& content, int level, const TexelSink& put, b
 TexelSink texel_sink(FileOutput& output);
 
 // The texels of a level as they follow each other in a file.
-struct StoredTexels {
+struct StoredTexelRange {
     std::array<int, 3> size{};
     std::size_t channels = 0;         // the first ones, which are asked for
     std::size_t stored_channels = 0;  // in the file
@@ -158,7 +158,7 @@ using TexelInput = std::function<std::optional<config::Diagnostic>(char* bytes, 
 TexelInput texel_input(FileInput& file, std::uint64_t offset);
 
 // Reads texels as Format::read does; diagnostics are those of `next`.
-config::Outcome<bool> read_texels(const TexelInput& next, const StoredTexels& texels,
+config::Outcome<bool> read_texels(const TexelInput& next, const StoredTexelRange& texels,
                                   const VoxelVisitor& visit);
 
 }  // namespace skybake

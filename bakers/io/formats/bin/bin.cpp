@@ -19,7 +19,7 @@ config::Outcome<bool> write_bin_file(const FileContent& content,
 
 config::Outcome<bool> read_bin_file(FileInput& file, const FileShape& shape, int,
                                     const VoxelVisitor& visit) {
-    const StoredTexels texels = {shape.size, shape.channels, shape.channels, shape.pixel_type};
+    const StoredTexelRange texels = {shape.size, shape.channels, shape.channels, shape.pixel_type};
     if (file.size() != texels.bytes()) {
         const std::string path = file.path().string();
         return file_error(

@@ -62,7 +62,8 @@ Outcome<bool> read_npy_file(FileInput& file, const FileShape& shape, int,
         const auto done = file.read(0, found.data(), found.size());
         if (!done) return file.diagnostic();
         if (found != head || (is_flat && shape.size[2] != 1)) continue;
-        const StoredTexels texels = {shape.size, shape.channels, shape.channels, shape.pixel_type};
+        const StoredTexelRange texels = {shape.size, shape.channels, shape.channels,
+                                         shape.pixel_type};
         if (file.size() != head.size() + texels.bytes()) break;
         return read_texels(texel_input(file, head.size()), texels, visit);
     }

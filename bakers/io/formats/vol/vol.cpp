@@ -108,8 +108,8 @@ Outcome<bool> read_vol_file(FileInput& file, const FileShape& shape, int,
     const Outcome<VolHeader> header = read_vol_header(file);
     if (!header.value) return {{}, header.diagnostics};
     const VolHeader wanted = vol_header(shape.size, shape.channels);
-    const StoredTexels texels = {shape.size, shape.channels, shape.channels,
-                                 config::PixelType::float32};
+    const StoredTexelRange texels = {shape.size, shape.channels, shape.channels,
+                                     config::PixelType::float32};
     if (header.value->size != wanted.size || header.value->channels != wanted.channels ||
         file.size() != sizeof(VolHeader) + texels.bytes()) {
         return other_size(file.path());
