@@ -5,7 +5,6 @@
 #include <limits>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -27,14 +26,14 @@ std::array<int, 3> leaf_of(const VoxelBox& part) {
 
 class NvdbVoxels : public VoxelSource {
   public:
-    // Without a ramp, values stay as the file has them.
-    NvdbVoxels(NvdbInput file, nanovdb::GridType type, NvdbTree tree,
-               std::optional<DensityRamp> density)
+    // Without `makes_densities`, values stay as the file has them.
+    NvdbVoxels(NvdbInput file, nanovdb::GridType type, NvdbTree tree, const DensityRamp& density,
+               bool makes_densities)
         : file_(std::move(file)),
           type_(type),
           tree_(std::move(tree)),
-          makes_densities_(density),
-          density_(density.value_or(DensityRamp())) {}
+          makes_densities_(makes_densities),
+          density_(density) {}
 
     // Decodes every leaf once, for the largest value of the grid and the faults, and makes those tiles
     // that hold only zeros.
@@ -174,23 +173,17 @@ Outcome<FileVoxels> open_nvdb_grid(const std::filesystem::path& path, const std:
         const IndexAxes axes = read_map(data.mMap, voxels);
         NvdbTree tree(file, grid);
         read_bounds(tree, part, voxels);
-        if (part == VolumePart::numbers) {
-            voxels.background = tree.background;
-            voxels.voxels = std::make_shared<NvdbVoxels>(std::move(file), grid.head.type,
-                                                         std::move(tree), std::nullopt);
-            turn_to_space(axes, voxels);
-            return {std::move(voxels), {}};
-        }
-        const DensityRamp density = ramp_of(tree, data.mGridClass);
+        const bool makes_densities = part != VolumePart::numbers;
+        const auto density = makes_densities ? ramp_of(tree, data.mGridClass) : DensityRamp();
         voxels.background = density(tree.background);
-        if (part == VolumePart::voxels) {
+        if (part != VolumePart::shape) {
             auto source = std::make_shared<NvdbVoxels>(std::move(file), grid.head.type,
-                                                       std::move(tree), density);
-            source->survey(voxels);
+                                                       std::move(tree), density, makes_densities);
+            if (makes_densities) source->survey(voxels);
             const bool refused =
                 not_finite == config::NotFinite::refuse && voxels.faults.not_finite.count > 0;
             if (refused) throw NvdbDamage{refusal_of(voxels.faults)};
-            source->expect_checksum(grid);
+            if (makes_densities) source->expect_checksum(grid);
             voxels.voxels = std::move(source);
         }
         turn_to_space(axes, voxels);
