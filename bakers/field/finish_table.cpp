@@ -146,10 +146,10 @@ void fill_image(const VoxelSource& source, Image2<float>& image) {
 void add_levels(Baked& table) {
     std::shared_ptr<const VoxelSource> finer = table.levels.front().voxels;
     while (static_cast<int>(table.levels.size()) < table.mips) {
-        const MipSource means(finer, table.levels.back().size);
-        const std::array<int, 3> size = next_mip_size(table.levels.back().size);
+        const std::array<int, 3> before = table.levels.back().size;
+        const std::array<int, 3> size = next_mip_size(before);
         Image2<float> image(size[0], size[1], table.image().channels);
-        fill_image(means, image);
+        fill_image(MipSource(finer, before, size), image);
         add_level(in_double(image), table);
         finer = std::make_shared<DenseTexels>(std::move(image));
     }

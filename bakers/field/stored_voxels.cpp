@@ -103,9 +103,6 @@ std::array<int, 3> next_slice_size(const std::array<int, 3>& size) {
     return {std::max(1, size[0] / 2), std::max(1, size[1] / 2), size[2]};
 }
 
-MipSource::MipSource(std::shared_ptr<const VoxelSource> finer, const std::array<int, 3>& finer_size)
-    : MipSource(std::move(finer), finer_size, next_mip_size(finer_size)) {}
-
 MipSource::MipSource(std::shared_ptr<const VoxelSource> finer, const std::array<int, 3>& finer_size,
                      const std::array<int, 3>& size)
     : finer_(std::move(finer)), finer_size_(finer_size), size_(size) {}

@@ -37,8 +37,6 @@ Outcome<bool> write_exr_file(const FileContent& content, const fs::path& path) {
     const Baked& baked = content.baked;
     if (const auto reason = exr_obstacle(baked, content.level)) return contradiction(path, *reason);
     FileOutput output(path);
-    bool complete = false;
-    std::string reason;
     try {
         SheetWriter sheet(baked, content.level, content.threads, content.progress);
         const ExrFacts facts = {sheet.width(),       sheet.height(),
@@ -50,19 +48,18 @@ Outcome<bool> write_exr_file(const FileContent& content, const fs::path& path) {
         const auto piece = [&](int slot) -> ExrPiece& {
             return pieces[static_cast<std::size_t>(slot)];
         };
-        complete = sheet.write([&](const SheetRows&, int slot) { file.put(piece(slot)); },
-                               [&](const SheetRows& rows, int slot) {
-                                   chunks.pack(rows, sheet.threads_per_box(), piece(slot));
-                               });
+        const bool complete =
+            sheet.write([&](const SheetRows&, int slot) { file.put(piece(slot)); },
+                        [&](const SheetRows& rows, int slot) {
+                            chunks.pack(rows, sheet.threads_per_box(), piece(slot));
+                        });
         if (complete) file.finish();
+        return output.finished(complete);
     } catch (const std::exception& error) {
-        reason = error.what();
+        if (!output.finish()) return output.diagnostic();
+        return contradiction(path,
+                             fmt::format("OpenEXR cannot encode the image: {}", error.what()));
     }
-    if (!output.finish()) return output.diagnostic();
-    if (!reason.empty()) {
-        return contradiction(path, fmt::format("OpenEXR cannot encode the image: {}", reason));
-    }
-    return {complete, {}};
 }
 
 Outcome<FileFacts> inspect_exr(FileInput& file) {

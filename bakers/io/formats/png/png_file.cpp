@@ -113,29 +113,24 @@ Outcome<bool> write_png_file(const FileContent& content, const fs::path& path) {
     const std::size_t channels = baked.channel_names.size();
     const auto sample = bytes_per_value(baked.pixel_type);
     FileOutput output(path);
-    bool complete = false;
-    std::string reason;
     try {
         SheetWriter sheet(baked, content.level, content.threads, content.progress);
         Writer writer(output);
         writer.begin(sheet.width(), sheet.height(), static_cast<int>(8 * sample), channels,
                      content.metadata);
         std::string row;
-        complete = sheet.write([&](const SheetRows& rows, int) {
+        const bool complete = sheet.write([&](const SheetRows& rows, int) {
             for (int y = 0; y < rows.count; ++y) {
                 interleave(rows, y, static_cast<std::size_t>(sheet.width()), channels, sample, row);
                 writer.row(row.data());
             }
         });
         if (complete) writer.end();
+        return output.finished(complete);
     } catch (const std::exception& error) {
-        reason = error.what();
+        if (!output.finish()) return output.diagnostic();
+        return contradiction(path, fmt::format("libpng cannot encode it: {}", error.what()));
     }
-    if (!output.finish()) return output.diagnostic();
-    if (!reason.empty()) {
-        return contradiction(path, fmt::format("libpng cannot encode it: {}", reason));
-    }
-    return {complete, {}};
 }
 
 // --- Reading ------------------------------------------------------------------------------------
