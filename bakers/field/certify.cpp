@@ -50,10 +50,9 @@ MeasuredErrors measure(const TableModel& model, const ReferencePoints& points,
     const auto channels = static_cast<std::size_t>(model.channels);
     for (std::size_t j = 0; j < points.rows.size(); ++j) {
         for (std::size_t i = 0; i < values[j].size(); ++i) {
-            const double before = statistics.max();
-            statistics.add(
-                model.error(values[j][i], points.values[j][i], points.scale[i % channels]));
-            if (statistics.max() != before) {
+            const double error =
+                model.error(values[j][i], points.values[j][i], points.scale[i % channels]);
+            if (statistics.add(error)) {
                 measured.worst = {points.rows[j].x[i / channels], points.rows[j].y};
             }
         }
@@ -124,9 +123,7 @@ VolumeErrors measure(const Level& level, PixelType type, const VolumeReference& 
             const Lookup lookup = look_up(voxels, level, places.uvw[at]);
             weights[at] = places.weight(level, lookup);
             const std::vector<double> wanted = reference(places.uvw[at]);
-            errors[at] = comparison.errors
-                             ? comparison.errors(places.uvw[at], lookup.values, wanted)
-                             : shares_of_range(level, lookup.values, wanted);
+            errors[at] = errors_of(level, comparison, places.uvw[at], lookup.values, wanted);
             noise[at].resize(errors[at].size());
             if (comparison.noise) noise[at] = comparison.noise(wanted);
         }
@@ -136,9 +133,9 @@ VolumeErrors measure(const Level& level, PixelType type, const VolumeReference& 
     ErrorStatistics statistics;
     for (std::size_t i = 0; i < errors.size(); ++i) {
         for (std::size_t c = 0; c < errors[i].size(); ++c) {
-            const double before = statistics.max();
-            statistics.add(errors[i][c], noise[i][c], weights[i]);
-            if (statistics.max() > before) result.worst = places.uvw[i];
+            if (statistics.add(errors[i][c], noise[i][c], weights[i])) {
+                result.worst = places.uvw[i];
+            }
         }
     }
     result.figures = statistics.figures();
@@ -208,8 +205,10 @@ MeasuredErrors measure_kernel(const TableModel& model, int level, const Referenc
                             }));
 }
 
-std::vector<double> shares_of_range(const Level& level, const std::vector<double>& found,
-                                    const std::vector<double>& wanted) {
+std::vector<double> errors_of(const Level& level, const VolumeComparison& comparison,
+                              const std::array<double, 3>& uvw, const std::vector<double>& found,
+                              const std::vector<double>& wanted) {
+    if (comparison.errors) return comparison.errors(uvw, found, wanted);
     std::vector<double> errors;
     for (std::size_t c = 0; c < found.size(); ++c) {
         const double range = level.statistics[c].max - level.statistics[c].min;

@@ -98,10 +98,12 @@ VolumeErrors measure_voxels(const Level& level, PixelType type, const VolumeRefe
                             int count, const BakeOptions& options,
                             const VolumeComparison& comparison = {});
 
-// Returns the errors of values as shares of each channel's range, max - min. A channel that has one
-// value everywhere is compared by absolute differences.
-std::vector<double> shares_of_range(const Level& level, const std::vector<double>& found,
-                                    const std::vector<double>& wanted);
+// Returns the errors of values at texture coordinates: those of the comparison or, if it has none, shares
+// of each channel's range, max - min. A channel that has one value everywhere is compared by absolute
+// differences.
+std::vector<double> errors_of(const Level& level, const VolumeComparison& comparison,
+                              const std::array<double, 3>& uvw, const std::vector<double>& found,
+                              const std::vector<double>& wanted);
 
 // Returns the result of a lookup of the stored voxels, one value per channel.
 std::vector<double> look_up(const Level& level, PixelType type, const std::array<double, 3>& uvw);
@@ -124,15 +126,18 @@ VolumeErrors search_volume(const Level& level, PixelType type, const VolumeRefer
 class ErrorStatistics {
   public:
     // `noise` is the standard error of the error. noise^2 is taken off its square, and 2 noise, which one in
-    // twenty exceeds without any error, off its size. `weight` is that of its square.
-    void add(double error, double noise = 0, double weight = 1) {
+    // twenty exceeds without any error, off its size. `weight` is that of its square. Returns whether it is
+    // the largest so far.
+    bool add(double error, double noise = 0, double weight = 1) {
         const double size = std::max(std::fabs(error) - 2 * noise, 0.0);
-        if (size > max_ || std::isnan(size)) max_ = size;  // NaN stays: no bound accepts it
+        const bool is_largest = size > max_ || std::isnan(size);
+        if (is_largest) max_ = size;  // NaN stays: no bound accepts it
         const double square = weight * (error * error - noise * noise);
         sum_of_squares_ += square;
         if (noise > 0) uncertainty_ += square * square;
         ++count_;
         weights_ += weight;
+        return is_largest;
     }
     // The root mean square is no less than what the noise lets one see.
     ErrorFigures figures() const {

@@ -228,12 +228,24 @@ class ProbeTaking {
         }
     }
 
-    // Takes candidates until `count` are taken, in all or of one space.
-    void fill_up(int count) {
-        fill_up_where(count, [](const ProbeCandidate&) { return true; });
-    }
-    void fill_up_space(int count, std::size_t space) {
-        fill_up_where(count, [space](const ProbeCandidate& at) { return at.space == space; });
+    // Takes candidates until `count` are taken, of one space or in all.
+    void fill_up(int count, std::optional<std::size_t> space = {}) {
+        const auto counts = [space](const ProbeCandidate& at) {
+            return !space || at.space == *space;
+        };
+        const auto gain = [&counts](const ProbeCandidate& at) {
+            if (!counts(at)) return -1.0;
+            double sum = 0;
+            for (const double off : at.off) sum += clamped(off);
+            return sum;
+        };
+        const auto taken = [&] {
+            return std::ranges::count_if(candidates_, [&counts](const ProbeCandidate& at) {
+                return at.taken && counts(at);
+            });
+        };
+        while (taken() < count && take_best(gain, -1)) {
+        }
     }
 
     // Whether a wrong lookup shows anywhere.
@@ -241,22 +253,6 @@ class ProbeTaking {
 
   private:
     static double clamped(double off) { return std::min(off, kPlenty); }
-
-    template <class Where>
-    void fill_up_where(int count, const Where& where) {
-        const auto gain = [&where](const ProbeCandidate& at) {
-            if (!where(at)) return -1.0;
-            double sum = 0;
-            for (const double off : at.off) sum += clamped(off);
-            return sum;
-        };
-        const auto taken = [&] {
-            return std::ranges::count_if(
-                candidates_, [&where](const ProbeCandidate& at) { return at.taken && where(at); });
-        };
-        while (taken() < count && take_best(gain, -1)) {
-        }
-    }
 
     template <class Gain>
     bool take_best(const Gain& gain, double more_than) {
@@ -319,6 +315,17 @@ std::vector<ProbeCandidate> candidates_of(const std::vector<ProbeSpace>& spaces)
     return candidates;
 }
 
+Probe as_probe(TakenProbe taken) {
+    Probe probe;
+    const std::vector<ProbeLookup>& lookups = taken.place.lookups;
+    probe.uvw = lookups.front().uvw;
+    if (lookups.size() > 1) probe.blend = BlendedLookup{lookups[1].uvw, lookups[1].share};
+    probe.value = std::move(taken.value.value);
+    probe.tolerance = std::move(taken.value.tolerance);
+    probe.at = std::move(taken.place.at);
+    return probe;
+}
+
 }  // namespace
 
 ProbeValue probe_value(const ProbedTexture& probed, const std::vector<ProbeLookup>& lookups) {
@@ -376,7 +383,7 @@ ProbeSet take_probes(const ProbedTexture& texture, const std::vector<ProbeSpace>
     const int share = (count + spaces_count - 1) / spaces_count;
     ProbeTaking choice(candidates, wrongs.size(), share);
     choice.take_what_is_wanted();
-    for (std::size_t space = 0; space < spaces.size(); ++space) choice.fill_up_space(share, space);
+    for (std::size_t space = 0; space < spaces.size(); ++space) choice.fill_up(share, space);
     choice.fill_up(count);
     ProbeSet set;
     add_names(candidates, wrongs, choice, everywhere, set);
@@ -385,17 +392,6 @@ ProbeSet take_probes(const ProbedTexture& texture, const std::vector<ProbeSpace>
         set.probes.push_back({std::move(candidate.place), std::move(candidate.value)});
     }
     return set;
-}
-
-Probe as_probe(TakenProbe taken) {
-    Probe probe;
-    const std::vector<ProbeLookup>& lookups = taken.place.lookups;
-    probe.uvw = lookups.front().uvw;
-    if (lookups.size() > 1) probe.blend = BlendedLookup{lookups[1].uvw, lookups[1].share};
-    probe.value = std::move(taken.value.value);
-    probe.tolerance = std::move(taken.value.tolerance);
-    probe.at = std::move(taken.place.at);
-    return probe;
 }
 
 std::optional<Diagnostic> weak_probes(const std::string& asset, const ProbeSet& set) {

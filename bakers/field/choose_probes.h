@@ -67,8 +67,6 @@ struct TakenProbe {
     ProbeValue value;
 };
 
-Probe as_probe(TakenProbe taken);
-
 struct ProbeSet {
     std::vector<TakenProbe> probes;
     std::vector<std::string> catches;  // names of wrong lookups

@@ -17,14 +17,6 @@
 namespace skybake {
 namespace {
 
-PointCounts points_of(const AccuracyRequest& request, Certification certification) {
-    return certification == Certification::full ? request.full : request.quick;
-}
-
-SearchCounts search_of(const AccuracyRequest& request, Certification certification) {
-    return certification == Certification::full ? request.full_search : request.quick_search;
-}
-
 // The cheapest quadrature level whose kernel keeps within the bound at the measured texels.
 struct LevelChoice {
     std::optional<int> level;
@@ -154,10 +146,10 @@ void fill_image(const VoxelSource& source, Image2<float>& image) {
 void add_levels(Baked& table) {
     std::shared_ptr<const VoxelSource> finer = table.levels.front().voxels;
     while (static_cast<int>(table.levels.size()) < table.mips) {
-        const MipSource means(finer, table.levels.back().size);
-        const std::array<int, 3> size = next_mip_size(table.levels.back().size);
+        const std::array<int, 3> before = table.levels.back().size;
+        const std::array<int, 3> size = next_mip_size(before);
         Image2<float> image(size[0], size[1], table.image().channels);
-        fill_image(means, image);
+        fill_image(MipSource(finer, before, size), image);
         add_level(in_double(image), table);
         finer = std::make_shared<DenseTexels>(std::move(image));
     }
@@ -224,8 +216,8 @@ std::string place_text(const Place& place) {
 
 Outcome<TablePart> make_part(const TableModel& model, const AccuracyRequest& request,
                              const BakeOptions& options, const PlaceOf& place_of, Baked table) {
-    const PointCounts counts = points_of(request, options.certification);
     const bool certify = options.certification != Certification::off;
+    const bool is_full = options.certification == Certification::full;
     Outcome<TablePart> outcome;
 
     // The choice uses its own points and the quick search, whatever the kind of certification, which
@@ -300,12 +292,13 @@ Outcome<TablePart> make_part(const TableModel& model, const AccuracyRequest& req
     if (certify) {
         const BakeTime time(BakePart::certificate);
         // Choosing the level has already evaluated the texels of the quick certificate.
-        if (!texels || options.certification == Certification::full) {
-            texels = reference_texels(model, size, counts, options);
+        if (!texels || is_full) {
+            texels = reference_texels(model, size, is_full ? request.full : request.quick, options);
         }
         if (options.cancelled()) return outcome;
-        const FoundErrors lookup = search_table(model, level, table.image(),
-                                                search_of(request, options.certification), options);
+        const FoundErrors lookup =
+            search_table(model, level, table.image(),
+                         is_full ? request.full_search : request.quick_search, options);
         if (options.cancelled()) return outcome;
         table.certificate.texel = measure_lookups(model, table.image(), *texels).figures;
         table.certificate.texel_points = texels->count();

@@ -3,23 +3,15 @@
 #include <algorithm>
 #include <cassert>
 #include <cstddef>
-#include <cstring>
 #include <utility>
 #include <vector>
 
 #include "bakers/field/sparse_rows.h"
+#include "bakers/field/voxel_index.h"
 #include "bakers/math/memory.h"
 
 namespace skybake {
 namespace {
-
-// A row of a box begins at this float of an array over the box.
-std::size_t offset_of(const VoxelBox& box, int y, int z) {
-    const auto row =
-        static_cast<std::size_t>(z - box.origin[2]) * static_cast<std::size_t>(box.size[1]) +
-        static_cast<std::size_t>(y - box.origin[1]);
-    return row * static_cast<std::size_t>(box.size[0]);
-}
 
 template <class Work>
 void for_each_row(const VoxelBox& box, const Work& work) {
@@ -74,7 +66,7 @@ class HeldSource : public VoxelSource {
     // Writes a row's voxels of all channels that are wanted; returns false, with some of them
     // written, if one is not held.
     bool read_row(const VoxelBox& box, int y, int z, const std::vector<float*>& channels) const {
-        const std::size_t at = offset_of(box, y, z);
+        const std::int64_t at = index_in(box, {box.origin[0], y, z});
         for (std::size_t c = 0; c < channels.size(); ++c) {
             if (channels[c] == nullptr) continue;
             const std::size_t row = index_of(c, y, z);
@@ -114,7 +106,7 @@ class HeldSource : public VoxelSource {
     // Makes the voxels of a part of the box, in place where they lie side by side there.
     void make(const VoxelBox& box, const VoxelBox& part,
               const std::vector<float*>& channels) const {
-        const std::size_t at = offset_of(box, part.origin[1], part.origin[2]);
+        const std::int64_t at = index_in(box, part.origin);
         std::vector<float*> targets(channels.size(), nullptr);
         if (part.size[1] == box.size[1]) {
             for (std::size_t c = 0; c < channels.size(); ++c) {
@@ -139,8 +131,9 @@ class HeldSource : public VoxelSource {
         for (std::size_t c = 0; c < channels.size(); ++c) {
             if (channels[c] == nullptr) continue;
             for_each_row(part, [&](int y, int z) {
-                std::memcpy(channels[c] + offset_of(box, y, z), made[c] + offset_of(part, y, z),
-                            static_cast<std::size_t>(part.size[0]) * sizeof(float));
+                const std::array<int, 3> first = {part.origin[0], y, z};
+                std::copy_n(made[c] + index_in(part, first), part.size[0],
+                            channels[c] + index_in(box, first));
             });
         }
     }
@@ -151,7 +144,7 @@ class HeldSource : public VoxelSource {
         for (std::size_t c = 0; c < made.size(); ++c) {
             if (made[c] == nullptr) continue;
             for_each_row(part, [&](int y, int z) {
-                rows_.put(index_of(c, y, z), made[c] + offset_of(part, y, z));
+                rows_.put(index_of(c, y, z), made[c] + index_in(part, {part.origin[0], y, z}));
             });
         }
     }

@@ -41,7 +41,7 @@ const char* range_text(PixelType type) {
 namespace {
 
 struct TypeFacts {
-    int bytes;              // of a value; of types that code blocks, of a decoded one
+    std::size_t bytes;      // of a value; of types that code blocks, of a decoded one
     double bits;            // of a value in a file
     double rounding_error;  // of types that code blocks, that of the decoded float
 };
@@ -124,9 +124,26 @@ void interleave(const std::vector<const float*>& channels, std::size_t count,
     }
 }
 
+void round_to_rgbe(float* values, std::size_t count) {
+    for (float* texel = values; count >= 3; texel += 3, count -= 3) {
+        const auto [least, largest] = std::minmax({texel[0], texel[1], texel[2]});
+        if (!(least >= 0 && largest <= largest_rgbe)) continue;
+        int exponent = 0;
+        std::frexp(largest, &exponent);
+        const auto steps = [&exponent](float value) {
+            return std::round(std::ldexp(double{value}, 8 - exponent));
+        };
+        if (steps(largest) > 255) ++exponent;
+        const bool is_dark = largest < 1e-32F;
+        for (std::size_t c = 0; c < 3; ++c) {
+            texel[c] = is_dark ? 0 : static_cast<float>(std::ldexp(steps(texel[c]), exponent - 8));
+        }
+    }
+}
+
 }  // namespace
 
-int bytes_per_value(PixelType type) { return facts_of(type).bytes; }
+std::size_t bytes_per_value(PixelType type) { return facts_of(type).bytes; }
 double bits_per_value(PixelType type) { return facts_of(type).bits; }
 double rounding_error(PixelType type) { return facts_of(type).rounding_error; }
 
@@ -183,23 +200,6 @@ void round_values(float* values, std::size_t count, PixelType type) {
         const std::size_t piece = std::min(kPiece, count - i);
         store_values(values + i, piece, type, stored.data());
         load_values(stored.data(), piece, type, values + i);
-    }
-}
-
-void round_to_rgbe(float* values, std::size_t count) {
-    for (float* texel = values; count >= 3; texel += 3, count -= 3) {
-        const auto [least, largest] = std::minmax({texel[0], texel[1], texel[2]});
-        if (!(least >= 0 && largest <= largest_rgbe)) continue;
-        int exponent = 0;
-        std::frexp(largest, &exponent);
-        const auto steps = [&exponent](float value) {
-            return std::round(std::ldexp(double{value}, 8 - exponent));
-        };
-        if (steps(largest) > 255) ++exponent;
-        const bool is_dark = largest < 1e-32F;
-        for (std::size_t c = 0; c < 3; ++c) {
-            texel[c] = is_dark ? 0 : static_cast<float>(std::ldexp(steps(texel[c]), exponent - 8));
-        }
     }
 }
 

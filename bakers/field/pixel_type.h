@@ -37,7 +37,7 @@ PixelRange range_of(config::PixelType type);
 const char* range_text(config::PixelType type);
 
 // The number of bytes per value; of types that code blocks, per decoded value.
-int bytes_per_value(config::PixelType type);
+std::size_t bytes_per_value(config::PixelType type);
 
 // The smallest positive value that the type holds in full precision; 0 for unorm, whose steps are
 // equal.
@@ -65,13 +65,10 @@ void store_values(const float* values, std::size_t count, config::PixelType type
 // Converts stored bytes to floats: exactly, but for unorm to the nearest floats.
 void load_values(const char* bytes, std::size_t count, config::PixelType type, float* out);
 
-// Rounds the values in place to what a file of the type holds. Every value must fit the type; for rgbe,
-// three channels are interleaved, and texels that it cannot hold stay as they are.
-void round_values(float* values, std::size_t count, config::PixelType type);
-
 inline constexpr float largest_rgbe = 0x1.FEp126F;  // 255 steps of 2^119
 
-// Rounds interleaved texels, `count` numbers. A texel that is not in [0, largest_rgbe] stays as it is.
-void round_to_rgbe(float* values, std::size_t count);
+// Rounds the values in place to what a file of the type holds. Every value must fit the type; for rgbe,
+// three channels are interleaved, and a texel that is not in [0, largest_rgbe] stays as it is.
+void round_values(float* values, std::size_t count, config::PixelType type);
 
 }  // namespace skybake

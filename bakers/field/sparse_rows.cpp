@@ -88,7 +88,7 @@ SparseRows::SparseRows(std::size_t count, std::size_t length, config::PixelType 
     : length_(length),
       words_(words_of(length)),
       type_(type),
-      width_(static_cast<std::size_t>(bytes_per_value(type))),
+      width_(bytes_per_value(type)),
       block_(std::min(kMostAtOnce, count * length * width_)),
       memory_(memory),
       states_(count),

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "bakers/field/pixel_type.h"
+#include "bakers/field/voxel_index.h"
 
 namespace skybake {
 
@@ -77,22 +78,13 @@ int extent_of(const std::vector<Footprint>& under) {
     return under.back().first + static_cast<int>(under.back().weights.size()) - under.front().first;
 }
 
-// Returns row (y, z) of an array over a box; y and z count the tile's finer voxels.
-const float* row_of(const float* values, const VoxelBox& box, int y, int z) {
-    const auto row =
-        static_cast<std::size_t>(z - box.origin[2]) * static_cast<std::size_t>(box.size[1]) +
-        static_cast<std::size_t>(y - box.origin[1]);
-    return values + row * static_cast<std::size_t>(box.size[0]);
-}
-
 float mean_under(const VoxelBox& finer, const float* values, const Footprint& x, const Footprint& y,
                  const Footprint& z) {
     double sum = 0;
     for (std::size_t k = 0; k < z.weights.size(); ++k) {
         for (std::size_t j = 0; j < y.weights.size(); ++j) {
-            const float* row = row_of(values, finer, y.first + static_cast<int>(j),
-                                      z.first + static_cast<int>(k)) +
-                               (x.first - finer.origin[0]);
+            const float* row = values + index_in(finer, {x.first, y.first + static_cast<int>(j),
+                                                         z.first + static_cast<int>(k)});
             double row_sum = 0;
             for (std::size_t i = 0; i < x.weights.size(); ++i) row_sum += x.weights[i] * row[i];
             sum += z.weights[k] * y.weights[j] * row_sum;
@@ -110,9 +102,6 @@ std::array<int, 3> next_mip_size(const std::array<int, 3>& size) {
 std::array<int, 3> next_slice_size(const std::array<int, 3>& size) {
     return {std::max(1, size[0] / 2), std::max(1, size[1] / 2), size[2]};
 }
-
-MipSource::MipSource(std::shared_ptr<const VoxelSource> finer, const std::array<int, 3>& finer_size)
-    : MipSource(std::move(finer), finer_size, next_mip_size(finer_size)) {}
 
 MipSource::MipSource(std::shared_ptr<const VoxelSource> finer, const std::array<int, 3>& finer_size,
                      const std::array<int, 3>& size)
@@ -159,9 +148,8 @@ void MipSource::fill_part(const VoxelBox& box, const VoxelBox& part,
         if (channels[c] == nullptr) continue;
         for (int z = 0; z < part.size[2]; ++z) {
             for (int y = 0; y < part.size[1]; ++y) {
-                float* target = channels[c] +
-                                (row_of(channels[c], box, part.origin[1] + y, part.origin[2] + z) -
-                                 channels[c]);
+                float* target = channels[c] + index_in(box, {box.origin[0], part.origin[1] + y,
+                                                             part.origin[2] + z});
                 for (const Footprint& x : under[0]) {
                     *target++ = mean_under(finer, finer_channels[c], x,
                                            under[1][static_cast<std::size_t>(y)],

@@ -48,8 +48,7 @@ std::array<int, 3> next_slice_size(const std::array<int, 3>& size);
 // and the mean over the tile is preserved.
 class MipSource : public VoxelSource {
   public:
-    MipSource(std::shared_ptr<const VoxelSource> finer, const std::array<int, 3>& finer_size);
-    // Makes the level of another size, such as next_slice_size().
+    // `size` is that of the level, such as next_mip_size() or next_slice_size().
     MipSource(std::shared_ptr<const VoxelSource> finer, const std::array<int, 3>& finer_size,
               const std::array<int, 3>& size);
     void fill(const VoxelBox& box, const std::vector<float*>& channels) const override;

@@ -14,6 +14,7 @@
 #include "bakers/field/pixel_type.h"
 #include "bakers/field/take_boxes.h"
 #include "bakers/field/value_kernel.h"
+#include "bakers/field/voxel_index.h"
 #include "bakers/math/hash.h"
 #include "bakers/math/memory.h"
 
@@ -46,14 +47,6 @@ struct Slot {
     std::vector<char> covered;  // columns of the box with a value above that of ColumnCount
     std::optional<BadValue> bad;
 };
-
-// The voxel of the value at a place in a box.
-std::array<int, 3> voxel_at(const VoxelBox& box, std::size_t place) {
-    const auto at = static_cast<int>(place);
-    const int row = at / box.size[0];
-    return {box.origin[0] + at % box.size[0], box.origin[1] + row % box.size[1],
-            box.origin[2] + row / box.size[1]};
-}
 
 // The first voxel, and the first of its channels, whose value the type cannot hold.
 BadValue first_bad(const std::vector<float*>& channels, PixelType type) {
@@ -160,7 +153,7 @@ void add_filled(const float* values, std::size_t count, std::size_t first, std::
 // nothing if the type cannot hold some value, which is left as it is.
 std::optional<Summary> summarize(float* values, std::size_t count, std::array<double, 2> range,
                                  PixelType type, std::int64_t step, char* stored) {
-    const auto width = static_cast<std::size_t>(bytes_per_value(type));
+    const auto width = bytes_per_value(type);
     const PixelRange bounds = range_of(type);
     const auto normal = static_cast<float>(smallest_normal(type));
     Summary summary;
@@ -229,8 +222,7 @@ void add_box_peaks(const float* values, const VoxelBox& box, int channel,
         const std::size_t last = (part + 1) * count / kParts;
         const float largest = largest_of(values + first, last - first);
         if (largest <= 0) continue;
-        const auto at =
-            static_cast<std::size_t>(std::find(values + first, values + last, largest) - values);
+        const auto at = std::find(values + first, values + last, largest) - values;
         peaks.push_back({voxel_at(box, at), channel, largest});
     }
 }
@@ -320,7 +312,7 @@ class Survey {
         level_.voxels->fill(box, planes);
         slot.bad.reset();
         slot.channels.clear();
-        const auto width = static_cast<std::size_t>(bytes_per_value(volume_.pixel_type));
+        const auto width = bytes_per_value(volume_.pixel_type);
         slot.bytes.resize(count * channels * width);
         for (std::size_t c = 0; c < channels; ++c) {
             const auto summary =
@@ -353,7 +345,7 @@ class Survey {
         for (std::size_t c = 0; c < whole_.size(); ++c) add(slot.channels[c], whole_[c]);
         peaks_.insert(peaks_.end(), slot.peaks.begin(), slot.peaks.end());
         for (const std::size_t chosen : slot.channels[0].chosen) {
-            filled_.push_back(voxel_at(boxes_[index], chosen));
+            filled_.push_back(voxel_at(boxes_[index], static_cast<std::int64_t>(chosen)));
         }
         hasher_.update(slot.bytes);
         if (count_ != nullptr) {
@@ -369,7 +361,7 @@ class Survey {
     }
 
     Diagnostic diagnostic(const VoxelBox& box, const BadValue& bad) const {
-        const auto [x, y, z] = voxel_at(box, bad.index);
+        const auto [x, y, z] = voxel_at(box, static_cast<std::int64_t>(bad.index));
         const std::string level = number_ == 0 ? "" : fmt::format(" of level {}", number_);
         const std::string place =
             fmt::format("`{}`: the value at voxel ({}, {}, {}){}, channel {},", volume_.name, x, y,

@@ -26,13 +26,6 @@ std::vector<std::vector<double>> voxel_edges(const Level& level) {
     return edges;
 }
 
-std::vector<double> errors_of(const Level& level, const VolumeComparison& comparison,
-                              const SearchPlace& uvw, const std::vector<double>& found,
-                              const std::vector<double>& wanted) {
-    return comparison.errors ? comparison.errors(uvw, found, wanted)
-                             : shares_of_range(level, found, wanted);
-}
-
 // Estimates the errors in the cells of voxels.
 class VoxelBends {
   public:

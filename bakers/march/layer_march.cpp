@@ -91,6 +91,42 @@ MarchSteps picture_steps(const CloudMedium& medium, const SunDirection& sun) {
     return steps;
 }
 
+CloudMarch march_through(const CloudMedium& medium, const MarchSteps& steps,
+                         const DiffuseShare& diffuse, const LightInCloud* solved,
+                         const SunDirection& sun, int threads) {
+    CloudMarch march;
+    march.medium = &medium;
+    march.diffuse = &diffuse;
+    march.solved = solved;
+    march.octaves = octave_phases(cloud_phase(medium.optics.particles));
+    march.step_m = static_cast<float>(steps.step_m);
+    march.light_step_m = static_cast<float>(steps.light_step_m);
+    const glm::dvec3 direction = direction_of(sun.elevation_degrees, sun.azimuth_degrees);
+    glm::dvec3 light_step{};  // in voxels
+    for (std::size_t a = 0; a < 3; ++a) {
+        march.light_direction[a] = static_cast<float>(direction[a] / medium.meters_per_voxel(a));
+        light_step[a] = double{march.light_step_m} * double{march.light_direction[a]};
+    }
+    if (steps.sunlit) {
+        march.light_samples =
+            static_cast<float>(std::ceil(sun_march_length_m(medium, sun) / steps.light_step_m));
+    }
+    march.leaping = steps.leaping;
+    if (steps.leaping && !medium.variation.varies()) {
+        march.sun_leaps = sun_leaps(medium.leaps, medium.volume.size, light_step,
+                                    static_cast<int>(march.light_samples), threads);
+    }
+    return march;
+}
+
+void set_origin(const glm::dvec3& position_m, CloudMarch& march) {
+    const CloudMedium& medium = *march.medium;
+    for (std::size_t a = 0; a < 3; ++a) {
+        const double origin = position_m[a] - (a == 2 ? medium.base_m : 0);
+        march.origin[a] = static_cast<float>(origin / medium.meters_per_voxel(a));
+    }
+}
+
 LayerMarch::LayerMarch(std::vector<Layer> layers, const glm::dvec3& position_m,
                        const SunDirection& sun, int threads)
     : layers_(std::move(layers)),
@@ -99,39 +135,10 @@ LayerMarch::LayerMarch(std::vector<Layer> layers, const glm::dvec3& position_m,
     diffuse_.reserve(layers_.size());  // marches point to them
     for (const Layer& layer : layers_) {
         diffuse_.push_back(diffuse_share(*layer.medium, 4, threads));
-        marches_.push_back(march_of(layer, diffuse_.back(), sun, threads));
+        marches_.push_back(
+            march_through(*layer.medium, layer.steps, diffuse_.back(), layer.solved, sun, threads));
+        set_origin(position_m, marches_.back());
     }
-}
-
-CloudMarch LayerMarch::march_of(const Layer& layer, const DiffuseShare& diffuse,
-                                const SunDirection& sun, int threads) const {
-    const CloudMedium& medium = *layer.medium;
-    const MarchSteps& steps = layer.steps;
-    CloudMarch march;
-    march.medium = &medium;
-    march.diffuse = &diffuse;
-    march.solved = layer.solved;
-    march.octaves = octave_phases(cloud_phase(medium.optics.particles));
-    glm::dvec3 light_step{};  // in voxels
-    for (std::size_t a = 0; a < 3; ++a) {
-        const double origin = position_m_[a] - (a == 2 ? medium.base_m : 0);
-        march.origin[a] = static_cast<float>(origin / medium.meters_per_voxel(a));
-        march.light_direction[a] = static_cast<float>(sun_[a] / medium.meters_per_voxel(a));
-        light_step[a] =
-            double{static_cast<float>(steps.light_step_m)} * double{march.light_direction[a]};
-    }
-    march.step_m = static_cast<float>(steps.step_m);
-    march.light_step_m = static_cast<float>(steps.light_step_m);
-    if (steps.sunlit) {
-        march.light_samples =
-            static_cast<float>(std::ceil(sun_march_length_m(medium, sun) / steps.light_step_m));
-    }
-    march.leaping = steps.leaping;
-    if (steps.leaping) {
-        march.sun_leaps = sun_leaps(medium.leaps, medium.volume.size, light_step,
-                                    static_cast<int>(march.light_samples), threads);
-    }
-    return march;
 }
 
 void LayerMarch::set_ray(std::span<RayBlock> blocks, std::size_t i, const glm::dvec3& direction,

@@ -99,6 +99,15 @@ inline constexpr double kLongerSunStep = 1.5;
 inline constexpr double kThinVoxel = 0.5;
 MarchSteps picture_steps(const CloudMedium& medium, const SunDirection& sun);
 
+// Returns the march by these steps through a medium, without its origin. `solved` is the light within it;
+// null: that of octaves and `diffuse`.
+CloudMarch march_through(const CloudMedium& medium, const MarchSteps& steps,
+                         const DiffuseShare& diffuse, const LightInCloud* solved,
+                         const SunDirection& sun, int threads);
+
+// Sets the place from which all rays of a march come.
+void set_origin(const glm::dvec3& position_m, CloudMarch& march);
+
 // Layers of clouds as rays from one place see them. They may overlap in altitude.
 class LayerMarch {
   public:
@@ -135,9 +144,6 @@ class LayerMarch {
     }
 
   private:
-    CloudMarch march_of(const Layer& layer, const DiffuseShare& diffuse, const SunDirection& sun,
-                        int threads) const;
-
     std::vector<Layer> layers_;
     glm::dvec3 position_m_;
     glm::dvec3 sun_;

@@ -38,11 +38,11 @@ std::vector<float> stored_voxels(const Baked& volume, const ShownLevel& shown,
                                  const BakeOptions& options) {
     const std::size_t channels = volume.channel_names.size();
     ShownTexels texels(volume.levels[shown.level].size, channels, shown.edge);
-    const auto width = static_cast<std::size_t>(bytes_per_value(volume.pixel_type));
+    const auto width = bytes_per_value(volume.pixel_type);
     std::vector<float> values;
     std::int64_t done = 0;
     write_texels({volume, 0, "", options.threads, options.progress}, static_cast<int>(shown.level),
-                 TexelPadding::none, [&](std::string_view bytes) {
+                 [&](std::string_view bytes) {
                      values.resize(bytes.size() / width);
                      load_values(bytes.data(), values.size(), volume.pixel_type, values.data());
                      const auto count = static_cast<std::int64_t>(values.size() / channels);

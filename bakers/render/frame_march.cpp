@@ -41,11 +41,7 @@ FrameMarch::FrameMarch(const std::vector<SceneLayer>& layers, const SunDirection
       sun_(direction_of(sun.elevation_degrees, sun.azimuth_degrees)),
       far_sunlight_(far_sunlight) {
     for (std::size_t l = 0; l < layers_.size(); ++l) {
-        const CloudMedium& medium = *layers_[l].medium;
-        for (std::size_t a = 0; a < 3; ++a) {
-            const double origin = frame.camera.position_m[a] - (a == 2 ? medium.base_m : 0);
-            marches_[l].origin[a] = static_cast<float>(origin / medium.meters_per_voxel(a));
-        }
+        set_origin(frame.camera.position_m, marches_[l]);
         marches_[l].growth = static_cast<float>(frame.step_growth * rays_.pixel());
         farthest_m_ = std::max(farthest_m_, layers_[l].reach_m);
     }

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstddef>
 
-#include "bakers/march/sun_leaps.h"
 #include "bakers/math/parallel.h"
 #include "bakers/math/transcendental.h"
 #include "bakers/render/frame_march.h"
@@ -27,33 +26,12 @@ constexpr int kDirectPoints = 32;
 
 CloudMarch march_of(const SceneLayer& layer, const DiffuseShare& diffuse, const SunDirection& sun,
                     bool sunlit, bool leaping, int threads) {
-    const CloudMedium& medium = *layer.medium;
-    CloudMarch march;
-    march.medium = &medium;
-    march.diffuse = &diffuse;
-    march.solved = layer.solved;
-    march.octaves = octave_phases(cloud_phase(medium.optics.particles));
-    const glm::dvec3 direction = direction_of(sun.elevation_degrees, sun.azimuth_degrees);
-    for (std::size_t a = 0; a < 3; ++a) {
-        march.light_direction[a] = static_cast<float>(direction[a] / medium.meters_per_voxel(a));
-    }
-    march.step_m = static_cast<float>(layer.step_m);
-    march.light_step_m = static_cast<float>(layer.light_step_m);
-    if (sunlit) {
-        march.light_samples =
-            static_cast<float>(std::ceil(sun_march_length_m(medium, sun) / layer.light_step_m));
-    }
+    CloudMarch march = march_through(
+        *layer.medium, {layer.step_m, layer.light_step_m, layer.reach_m, leaping, sunlit}, diffuse,
+        layer.solved, sun, threads);
     if (layer.fades) {
         march.fade_from_m = static_cast<float>(kFadeFrom * layer.reach_m);
         march.fade_to_m = static_cast<float>(layer.reach_m);
-    }
-    march.leaping = leaping;
-    if (leaping && !medium.variation.varies()) {
-        const auto& along = march.light_direction;
-        const glm::dvec3 step =
-            double{march.light_step_m} * glm::dvec3(along[0], along[1], along[2]);
-        march.sun_leaps = sun_leaps(medium.leaps, medium.volume.size, step,
-                                    static_cast<int>(march.light_samples), threads);
     }
     return march;
 }

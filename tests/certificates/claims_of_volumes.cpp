@@ -33,8 +33,7 @@ Claim claim_of_volume(const Baked& volume, const VolumeReference& exact,
         if (comparison.lookup_place) uvw = comparison.lookup_place(uvw);
         const std::vector<double> found = look_up(level, volume.pixel_type, uvw);
         const std::vector<double> wanted = exact(uvw);
-        for (const double error : comparison.errors ? comparison.errors(uvw, found, wanted)
-                                                    : shares_of_range(level, found, wanted)) {
+        for (const double error : errors_of(level, comparison, uvw, found, wanted)) {
             dense.add(error);
         }
     }

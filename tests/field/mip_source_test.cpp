@@ -57,8 +57,8 @@ TEST(MipSource, IsItsDefinitionAndKeepsTheMean) {
         const Size size = {*rc::gen::inRange(1, 14), *rc::gen::inRange(1, 14),
                            *rc::gen::inRange(1, 14)};
         const auto finer = std::make_shared<FunctionVoxels>(sample_voxel);
-        const MipSource coarser(finer, size);
         const Size half = next_mip_size(size);
+        const MipSource coarser(finer, size, half);
         const auto values = planes_of(coarser, {{}, half}, 2);
         std::size_t at = 0;
         testing::for_each_voxel(half, [&](int x, int y, int z) {
@@ -76,8 +76,8 @@ TEST(MipSource, BoxesEqualTheWhole) {
     EXPECT_TRUE(rc::check([] {
         const Size size = {*rc::gen::inRange(1, 40), *rc::gen::inRange(1, 40),
                            *rc::gen::inRange(1, 40)};
-        const MipSource coarser(std::make_shared<FunctionVoxels>(sample_voxel), size);
         const Size half = next_mip_size(size);
+        const MipSource coarser(std::make_shared<FunctionVoxels>(sample_voxel), size, half);
         VoxelBox box;
         for (std::size_t a = 0; a < 3; ++a) {
             box.origin[a] = *rc::gen::inRange(0, half[a]);
@@ -91,8 +91,8 @@ TEST(MipSource, BoxesEqualTheWhole) {
 // So many channels and rows that finer slices come in several parts.
 TEST(MipSource, LargeBoxesInParts) {
     const Size size = {256, 300, 40};
-    const MipSource coarser(std::make_shared<FunctionVoxels>(sample_voxel), size);
     const Size half = next_mip_size(size);
+    const MipSource coarser(std::make_shared<FunctionVoxels>(sample_voxel), size, half);
     const auto whole = planes_of(coarser, {{}, half}, 4);
     for (const std::array<int, 3>& voxel : {Size{0, 0, 0}, Size{127, 149, 19}, Size{64, 75, 10}}) {
         EXPECT_TRUE(testing::is_part_of(whole, coarser, half, {voxel, {1, 1, 1}}));
@@ -110,7 +110,7 @@ TEST(MipSource, ChainsEndInTheMean) {
         const double wanted = mean(planes_of(*level, {{}, size}, 1)[0]);
         int levels = 1;
         while (size != Size{1, 1, 1}) {
-            level = std::make_shared<MipSource>(level, size);
+            level = std::make_shared<MipSource>(level, size, next_mip_size(size));
             size = next_mip_size(size);
             ++levels;
             EXPECT_NEAR(mean(planes_of(*level, {{}, size}, 1)[0]), wanted, levels * 0x1p-24);

@@ -49,8 +49,7 @@ Level by_hand(const Baked& volume, const Ranges& ranges) {
             ++statistics.histogram[std::min<std::size_t>(static_cast<std::size_t>(place),
                                                          kHistogramBins - 1)];
         }
-        std::string piece(channels * static_cast<std::size_t>(bytes_per_value(volume.pixel_type)),
-                          '\0');
+        std::string piece(channels * bytes_per_value(volume.pixel_type), '\0');
         store_values(voxel.data(), channels, volume.pixel_type, piece.data());
         bytes += piece;
     }

@@ -62,7 +62,7 @@ TEST(VoxelBytes, InterleavesChannels) {
             planes.push_back(c % 2 == 0 ? red.data() : green.data());
         for (const PixelType type :
              {PixelType::float32, PixelType::half, PixelType::unorm8, PixelType::unorm16}) {
-            std::string bytes(3 * channels * static_cast<std::size_t>(bytes_per_value(type)), '\0');
+            std::string bytes(3 * channels * bytes_per_value(type), '\0');
             store_voxels(planes, 3, type, bytes.data());
             std::vector<float> read(3 * channels);
             load_values(bytes.data(), read.size(), type, read.data());

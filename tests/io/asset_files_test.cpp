@@ -150,8 +150,7 @@ TEST(WriteVolume, AnInterruptionLeavesNothing) {
 TEST(WriteTexels, TellHowFarTheyAreAndStop) {
     const Baked volume = sample_volume({256, 256, 32}, 4, PixelType::half);
     const auto is_written = [&](testing::CancelledAt& told) {
-        return write_texels({volume, 0, "", 2, &told}, 0, TexelPadding::none,
-                            [](std::string_view) { return true; });
+        return write_texels({volume, 0, "", 2, &told}, 0, [](std::string_view) { return true; });
     };
     testing::CancelledAt whole("", 99);
     EXPECT_TRUE(is_written(whole));

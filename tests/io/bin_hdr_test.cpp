@@ -79,7 +79,7 @@ TEST(Rgbe, RoundsToTheNearestStepOfTheLargestChannel) {
                                static_cast<int>(random.below(12)) + i % 200 - 120);
         }
         std::array<float, 3> rounded = texel;
-        round_to_rgbe(rounded.data(), 3);
+        round_values(rounded.data(), 3, PixelType::rgbe);
         const double largest = *std::max_element(texel.begin(), texel.end());
         if (largest < 1e-32) continue;
         double power = std::exp2(std::floor(std::log2(largest)) + 1);
@@ -88,7 +88,7 @@ TEST(Rgbe, RoundsToTheNearestStepOfTheLargestChannel) {
             EXPECT_LE(std::fabs(double{rounded[c]} - texel[c]), power / 512) << texel[c];
         }
         std::array<float, 3> again = rounded;
-        round_to_rgbe(again.data(), 3);
+        round_values(again.data(), 3, PixelType::rgbe);
         EXPECT_EQ(again, rounded);
     }
 }
@@ -96,13 +96,13 @@ TEST(Rgbe, RoundsToTheNearestStepOfTheLargestChannel) {
 TEST(Rgbe, KeepsThePowerAboveTheLargestAndFindsWhatItCannotHold) {
     std::array<float, 12> texels = {1, 0.5,    0.0041F, 0.9996F,      0.503F, 0,
                                     0, 1e-33F, 0,       largest_rgbe, 0,      0};
-    round_to_rgbe(texels.data(), texels.size());
+    round_values(texels.data(), texels.size(), PixelType::rgbe);
     // 255.9 steps of 1/256 are 128 of 1/128, and 64.4 are 64.
     EXPECT_EQ(texels,
               (std::array<float, 12>{1, 0.5, 0.0078125F, 1, 0.5, 0, 0, 0, 0, largest_rgbe, 0, 0}));
     std::array<float, 6> bad = {-0.3F, 0.3F, 0.3F, 3e38F, 0.3F, 0.3F};
     const std::array<float, 6> before = bad;
-    round_to_rgbe(bad.data(), bad.size());
+    round_values(bad.data(), bad.size(), PixelType::rgbe);
     EXPECT_EQ(bad, before) << "is for the survey to find";
 }
 

@@ -171,7 +171,7 @@ TEST(Flipbook, HasLevelsThatKeepFramesApart) {
                 }
             }
             const VoxelBox first{{}, {finer[0] / 2, finer[1] / 2, 1}};
-            const MipSource mixed(flipbook.levels[i - 1].voxels, finer);
+            const MipSource mixed(flipbook.levels[i - 1].voxels, finer, next_mip_size(finer));
             EXPECT_NE(values_of(flipbook.levels[i], first, channels),
                       testing::planes_of(mixed, first, channels));
         }

@@ -237,10 +237,7 @@ Certificate measure_scattering(const VoxelArray& table, const ScatteringMapping&
     for (int i = 0; i < count; ++i) {
         const auto at = static_cast<std::size_t>(i);
         for (const double error : lookups[at]) {
-            if (std::fabs(error) > lookup.max()) {
-                certificate.worst = errors.place_text(errors.direction(i));
-            }
-            lookup.add(error);
+            if (lookup.add(error)) certificate.worst = errors.place_text(errors.direction(i));
         }
         for (const double error : texels[at]) texel.add(error);
         certificate.texel_points += texels[at].empty() ? 0 : 1;

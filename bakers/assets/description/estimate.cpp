@@ -80,7 +80,7 @@ Estimate estimate_texels(const AssetFiles& files, const std::array<int, 2>& size
     const auto held_channels = static_cast<double>(std::min<std::size_t>(channels, 4));
     const auto stored_bytes = [&](const std::array<int, 2>& sides) {
         return voxels_of({sides[0], sides[1], 1}, files.mips) * held_channels *
-               bytes_per_value(files.pixel_type);
+               static_cast<double>(bytes_per_value(files.pixel_type));
     };
     result.seconds = texels * seconds_per_texel + certification;
     // Texels are in memory as computed, as stored, and once more while a file is written.
@@ -110,7 +110,8 @@ Estimate estimate_volume(const AssetFiles& files, const Size& size, std::size_t 
     const double values = static_cast<double>(boxes.largest_count()) *
                           static_cast<double>(channels) * std::min(box_slots(0), boxes.count());
     // The libraries of files take as much again to pack them (measured, rounded up).
-    result.memory_mib = 2 * values * (4.0 + bytes_per_value(files.pixel_type)) / kMebibyte;
+    result.memory_mib =
+        2 * values * (4.0 + static_cast<double>(bytes_per_value(files.pixel_type))) / kMebibyte;
     result.disk_mib = bytes * formats / kMebibyte;
     return result;
 }

@@ -1,7 +1,6 @@
 #include "bakers/io/files/atomic_file.h"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -20,15 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using FileStatus = std::optional<struct stat>;
-
-Outcome<WriteResult> failure(const fs::path& path, const std::string& reason) {
-    return file_error("E0301", path.string(),
-                      fmt::format("cannot write `{}`: {}", path.string(), reason));
-}
-
-Outcome<WriteResult> failure(const fs::path& path, int error) {
-    return failure(path, system_reason(error));
-}
 
 // Fills `bytes` as far as the file goes. Returns the number of bytes read, or nothing if it cannot
 // be read.
@@ -68,20 +58,6 @@ bool is_unchanged(const fs::path& path, const struct stat& status, std::string_v
     return file.valid() && holds(file.get(), bytes);
 }
 
-// Writes all bytes; returns errno, 0, or ECANCELED.
-int write_all(int descriptor, std::string_view bytes, const Progress* progress) {
-    constexpr std::size_t piece = std::size_t{4} << 20;  // between checks of `progress`
-    while (!bytes.empty()) {
-        if (is_cancelled(progress)) return ECANCELED;
-        const ssize_t count = ::write(descriptor, bytes.data(), std::min(bytes.size(), piece));
-        if (count < 0 && errno == EINTR) continue;
-        if (count < 0) return errno;
-        if (count == 0) return EIO;
-        bytes.remove_prefix(static_cast<std::size_t>(count));
-    }
-    return is_cancelled(progress) ? ECANCELED : 0;
-}
-
 int flush_by(int (*call)(int), int descriptor) {
     if (uninterrupted([&] { return call(descriptor); }) == 0) return 0;
     return errno == EINVAL || errno == ENOTSUP || errno == ENOSYS ? 0 : errno;
@@ -96,12 +72,6 @@ int keep_mode(const TemporaryFile& temporary, const FileStatus& old) {
     return uninterrupted([&] { return ::fchmod(temporary.descriptor(), mode); }) == 0 ? 0 : errno;
 }
 
-// Writes the bytes to the temporary. Returns errno, 0, or ECANCELED.
-int fill(const TemporaryFile& temporary, std::string_view bytes, const Progress* progress) {
-    const int error = write_all(temporary.descriptor(), bytes, progress);
-    return error != 0 ? error : flush_data(temporary.descriptor());
-}
-
 // Whether a link leads to a device or to an open file of a process, as /dev/stdout does. Such names
 // belong to the system.
 bool belongs_to_system(const fs::path& link) {
@@ -113,21 +83,19 @@ bool belongs_to_system(const fs::path& link) {
 // Returns the status of the regular file that a file of this name would replace. Returns an empty
 // status if there is no file, or only a symbolic link, whose target does not matter.
 Outcome<FileStatus> find_old(const fs::path& path) {
-    const auto refuse = [&path](const std::string& reason) -> Outcome<FileStatus> {
-        return {{}, failure(path, reason).diagnostics};
-    };
-    if (!path.has_filename()) return refuse("it is a folder");
+    if (!path.has_filename()) return cannot_write(path, "it is a folder");
     struct stat status {};
     if (::lstat(path.c_str(), &status) != 0) {
-        if (errno != ENOENT) return refuse(system_reason(errno));
+        if (errno != ENOENT) return cannot_write(path, system_reason(errno));
         return {FileStatus(), {}};
     }
     if (S_ISLNK(status.st_mode)) {
-        if (belongs_to_system(path)) return refuse("it is a link to a device or an open file");
+        if (belongs_to_system(path))
+            return cannot_write(path, "it is a link to a device or an open file");
         return {FileStatus(), {}};
     }
-    if (S_ISDIR(status.st_mode)) return refuse("it is a folder");
-    if (!S_ISREG(status.st_mode)) return refuse("it is not a regular file");
+    if (S_ISDIR(status.st_mode)) return cannot_write(path, "it is a folder");
+    if (!S_ISREG(status.st_mode)) return cannot_write(path, "it is not a regular file");
     return {FileStatus(status), {}};
 }
 
@@ -185,20 +153,17 @@ AtomicFiles::~AtomicFiles() = default;
 
 Outcome<WriteResult> AtomicFiles::stage(const fs::path& path, std::string_view bytes,
                                         const Progress* progress) {
-    const Outcome<FileStatus> found = find_old(path);
-    if (!found.value) return {{}, found.diagnostics};
-    const FileStatus& old = *found.value;
-    if (left_overs_ == LeftOvers::to_be_removed) remove_stale_temporaries(path);
-    if (old && is_unchanged(path, *old, bytes)) return {WriteResult::unchanged, {}};
-    if (is_cancelled(progress)) return {WriteResult::interrupted, {}};
-    auto staged = begin(path);
-    if (!staged.value) return {{}, std::move(staged.diagnostics)};
-    const int error = fill((*staged.value)->temporary, bytes, progress);
-    if (error == ECANCELED) return {WriteResult::interrupted, {}};
-    if (error != 0) return failure(path, error);
-    if (const int fault = keep_mode((*staged.value)->temporary, old)) return failure(path, fault);
-    keep(std::move(*staged.value));
-    return {WriteResult::written, {}};
+    const Outcome<FileStatus> old = find_old(path);
+    if (old.value && *old.value && is_unchanged(path, **old.value, bytes)) {
+        if (left_overs_ == LeftOvers::to_be_removed) remove_stale_temporaries(path);
+        return {WriteResult::unchanged, {}};
+    }
+    const auto write = [bytes](const fs::path& temporary) {
+        FileOutput output(temporary);
+        output.write(bytes);
+        return output.finished(true);
+    };
+    return stage(path, write, progress);
 }
 
 Outcome<WriteResult> AtomicFiles::stage(const fs::path& path, const FileWriter& write,
@@ -208,9 +173,9 @@ Outcome<WriteResult> AtomicFiles::stage(const fs::path& path, const FileWriter& 
     const FileStatus& old = *found.value;
     if (left_overs_ == LeftOvers::to_be_removed) remove_stale_temporaries(path);
     if (is_cancelled(progress)) return {WriteResult::interrupted, {}};
-    auto staged = begin(path);
-    if (!staged.value) return {{}, std::move(staged.diagnostics)};
-    const TemporaryFile& temporary = (*staged.value)->temporary;
+    auto staged = std::make_unique<Staged>(path);
+    const TemporaryFile& temporary = staged->temporary;
+    if (!temporary.valid()) return cannot_write(path, system_reason(errno));
     Outcome<bool> written = write(temporary.path());
     for (Diagnostic& diagnostic : written.diagnostics) {
         rename_in_text(diagnostic.message, temporary.path().string(), path.string());
@@ -218,28 +183,19 @@ Outcome<WriteResult> AtomicFiles::stage(const fs::path& path, const FileWriter& 
     }
     if (!written.value) return {{}, std::move(written.diagnostics)};
     if (!*written.value || is_cancelled(progress)) return {WriteResult::interrupted, {}};
-    if (const int error = flush_data(temporary.descriptor())) return failure(path, error);
+    if (const int error = flush_data(temporary.descriptor()))
+        return cannot_write(path, system_reason(error));
     if (old && same_bytes(path, temporary.path(), progress)) {
         return {WriteResult::unchanged, std::move(written.diagnostics)};
     }
     if (is_cancelled(progress)) return {WriteResult::interrupted, {}};
-    if (const int error = keep_mode(temporary, old)) return failure(path, error);
-    keep(std::move(*staged.value));
-    return {WriteResult::written, std::move(written.diagnostics)};
-}
-
-// Creates an empty temporary beside the file.
-Outcome<std::unique_ptr<AtomicFiles::Staged>> AtomicFiles::begin(const fs::path& path) {
-    auto staged = std::make_unique<Staged>(path);
-    if (!staged->temporary.valid()) return {{}, failure(path, errno).diagnostics};
-    return {std::move(staged), {}};
-}
-
-// Closes the file before. The first and the last stay open, because their locks show other processes
-// that this one lives: the first until it is renamed, and the last while the others are.
-void AtomicFiles::keep(std::unique_ptr<Staged> staged) {
+    if (const int error = keep_mode(temporary, old))
+        return cannot_write(path, system_reason(error));
+    // The first file and the last stay open, because their locks show other processes that this one lives:
+    // the first until it is renamed, and the last while the others are.
     if (staged_.size() > 1) staged_.back()->temporary.close();
     staged_.push_back(std::move(staged));
+    return {WriteResult::written, std::move(written.diagnostics)};
 }
 
 void AtomicFiles::shrink(std::size_t count) { staged_.resize(std::min(count, staged_.size())); }
@@ -266,7 +222,8 @@ std::vector<Diagnostic> AtomicFiles::commit() {
     if (error == 0 && named > 0) error = flush_folder(staged_.back()->path.parent_path());
     std::vector<Diagnostic> failures;
     if (error != 0) {
-        failures = failure(staged_[std::min(named, staged_.size() - 1)]->path, error).diagnostics;
+        failures = {
+            cannot_write(staged_[std::min(named, staged_.size() - 1)]->path, system_reason(error))};
     }
     staged_.erase(staged_.begin(), staged_.begin() + static_cast<std::ptrdiff_t>(named));
     return failures;

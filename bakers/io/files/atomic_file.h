@@ -72,9 +72,6 @@ class AtomicFiles {
 
   private:
     struct Staged;
-    static Outcome<std::unique_ptr<Staged>> begin(const std::filesystem::path& path);
-
-    void keep(std::unique_ptr<Staged> staged);
 
     LeftOvers left_overs_;
     std::vector<std::unique_ptr<Staged>> staged_;

@@ -13,11 +13,6 @@
 namespace skybake {
 namespace {
 
-Diagnostic unreadable(const std::filesystem::path& path, const std::string& reason) {
-    return file_error("E0300", path.string(),
-                      fmt::format("cannot read `{}`: {}", path.string(), reason));
-}
-
 constexpr std::size_t buffer_size = std::size_t{1} << 20;
 
 int open_emptied(const std::filesystem::path& path) {
@@ -30,16 +25,26 @@ int open_emptied(const std::filesystem::path& path) {
 
 }  // namespace
 
+Diagnostic cannot_read(const std::filesystem::path& path, const std::string& reason) {
+    return file_error("E0300", path.string(),
+                      fmt::format("cannot read `{}`: {}", path.string(), reason));
+}
+
+Diagnostic cannot_write(const std::filesystem::path& path, const std::string& reason) {
+    return file_error("E0301", path.string(),
+                      fmt::format("cannot write `{}`: {}", path.string(), reason));
+}
+
 Outcome<FileInput> FileInput::open(const std::filesystem::path& path) {
     // O_NONBLOCK: opening a pipe that nobody writes to would wait for ever.
     FileDescriptor file(
         uninterrupted([&] { return ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK); }));
     struct stat status {};
     if (!file.valid() || ::fstat(file.get(), &status) != 0) {
-        return unreadable(path, system_reason(errno));
+        return cannot_read(path, system_reason(errno));
     }
-    if (S_ISDIR(status.st_mode)) return unreadable(path, "it is a folder");
-    if (!S_ISREG(status.st_mode)) return unreadable(path, "it is not a regular file");
+    if (S_ISDIR(status.st_mode)) return cannot_read(path, "it is a folder");
+    if (!S_ISREG(status.st_mode)) return cannot_read(path, "it is not a regular file");
     return {FileInput(path, std::move(file), static_cast<std::uint64_t>(status.st_size)), {}};
 }
 
@@ -60,7 +65,7 @@ std::optional<std::size_t> FileInput::read(std::uint64_t position, char* bytes, 
     return done;
 }
 
-Diagnostic FileInput::diagnostic() const { return unreadable(path_, system_reason(error_)); }
+Diagnostic FileInput::diagnostic() const { return cannot_read(path_, system_reason(error_)); }
 
 Outcome<FileFingerprint> fingerprint(const std::filesystem::path& path) {
     Outcome<FileInput> file = FileInput::open(path);
@@ -122,24 +127,21 @@ void FileOutput::write_through(std::string_view bytes) {
     }
 }
 
-Diagnostic FileOutput::diagnostic() const {
-    return file_error("E0301", path_.string(),
-                      fmt::format("cannot write `{}`: {}", path_.string(), system_reason(error_)));
-}
+Diagnostic FileOutput::diagnostic() const { return cannot_write(path_, system_reason(error_)); }
 
 Outcome<std::string> read_file(const std::filesystem::path& path, std::uintmax_t limit) {
     Outcome<FileInput> file = FileInput::open(path);
     if (!file.value) return {{}, std::move(file.diagnostics)};
     const std::uint64_t size = file.value->size();
     if (size > limit) {
-        return unreadable(path,
-                          fmt::format("it has {} bytes, but at most {} may be read", size, limit));
+        return cannot_read(path,
+                           fmt::format("it has {} bytes, but at most {} may be read", size, limit));
     }
     Outcome<std::string> outcome;
     try {
         outcome.value.emplace(static_cast<std::size_t>(size), '\0');
     } catch (const std::bad_alloc&) {
-        return unreadable(path, fmt::format("its {} bytes do not fit in memory", size));
+        return cannot_read(path, fmt::format("its {} bytes do not fit in memory", size));
     }
     const auto done = file.value->read(0, outcome.value->data(), outcome.value->size());
     if (!done) return file.value->diagnostic();

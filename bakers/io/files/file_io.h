@@ -47,6 +47,10 @@ inline Diagnostic file_error(std::string code, const std::string& file, std::str
 // Returns the system's message for an errno: "No space left on device".
 inline std::string system_reason(int error) { return std::generic_category().message(error); }
 
+// Returns E0300 and E0301 with a reason: "cannot write `a.exr`: No space left on device".
+Diagnostic cannot_read(const std::filesystem::path& path, const std::string& reason);
+Diagnostic cannot_write(const std::filesystem::path& path, const std::string& reason);
+
 // A file that is read in pieces, at any position, because it may be larger than memory.
 class FileInput {
   public:
@@ -54,6 +58,7 @@ class FileInput {
     // the message says which.
     static Outcome<FileInput> open(const std::filesystem::path& path);
 
+    const std::filesystem::path& path() const { return path_; }
     std::uint64_t size() const { return size_; }
     // Reads up to `count` bytes at `position` and returns how many were read; fewer than `count`
     // only at the end of the file. After an error it returns nothing; see diagnostic().

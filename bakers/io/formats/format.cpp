@@ -20,9 +20,7 @@ std::span<const Format> formats() {
 }
 
 const Format& format_of(config::FileFormat format) {
-    const auto rows = formats();
-    return *std::find_if(rows.begin(), rows.end(),
-                         [format](const Format& row) { return row.format == format; });
+    return *std::ranges::find(formats(), format, &Format::format);
 }
 
 const Format* find_format(std::string_view word) {
@@ -82,7 +80,7 @@ void for_each_part(const VoxelBox& box, std::size_t channels, const Work& work) 
 
 void make(const Level& level, std::size_t channels, std::size_t stored_channels,
           config::PixelType type, const VoxelBox& box, Slot& slot) {
-    const std::size_t texel = stored_channels * static_cast<std::size_t>(bytes_per_value(type));
+    const std::size_t texel = stored_channels * bytes_per_value(type);
     slot.bytes.resize(static_cast<std::size_t>(box.count()) * texel);
     char* to = slot.bytes.data();
     for_each_part(box, stored_channels, [&](const VoxelBox& part) {
@@ -100,28 +98,27 @@ void make(const Level& level, std::size_t channels, std::size_t stored_channels,
 }
 
 // Drops the stored channels that nobody asked for.
-void drop_padding(const std::vector<float>& stored, const StoredTexelRange& range,
+void drop_padding(const std::vector<float>& stored, const StoredTexelRange& texels,
                   std::vector<float>& values) {
-    const std::size_t count = stored.size() / range.stored_channels;
-    values.resize(count * range.channels);
+    const std::size_t count = stored.size() / texels.stored_channels;
+    values.resize(count * texels.channels);
     for (std::size_t i = 0; i < count; ++i) {
-        std::copy_n(&stored[i * range.stored_channels], range.channels,
-                    &values[i * range.channels]);
+        std::copy_n(&stored[i * texels.stored_channels], texels.channels,
+                    &values[i * texels.channels]);
     }
 }
 
 }  // namespace
 
-bool write_texels(const FileContent& content, int level_number, TexelPadding padding,
-                  const TexelSink& put) {
+bool write_texels(const FileContent& content, int level_number, const TexelSink& put, bool pads) {
     const Level& level = content.baked.levels[static_cast<std::size_t>(level_number)];
     const std::size_t channels = content.baked.channel_names.size();
-    const bool pads = padding == TexelPadding::three_to_four && channels == 3;
+    const std::size_t stored = pads && channels == 3 ? 4 : channels;
     const BoxSequence boxes(level.size, static_cast<int>(channels));
     return write_boxes<Slot>(
         boxes.count(), content.threads, content.progress,
         [&](int i, Slot& slot) {
-            make(level, channels, pads ? 4 : channels, content.baked.pixel_type, boxes[i], slot);
+            make(level, channels, stored, content.baked.pixel_type, boxes[i], slot);
         },
         [&](int, const Slot& slot) { return put(slot.bytes); });
 }
@@ -133,21 +130,17 @@ TexelSink texel_sink(FileOutput& output) {
     };
 }
 
-bool write_texels(const FileContent& content, int level, TexelPadding padding, FileOutput& output) {
-    return write_texels(content, level, padding, texel_sink(output));
-}
-
 std::uint64_t StoredTexelRange::bytes() const {
     return static_cast<std::uint64_t>(VoxelBox{{}, size}.count()) * stored_channels *
-           static_cast<std::uint64_t>(bytes_per_value(type));
+           bytes_per_value(type);
 }
 
-config::Outcome<bool> read_texels(const TexelInput& next, const StoredTexelRange& range,
+config::Outcome<bool> read_texels(const TexelInput& next, const StoredTexelRange& texels,
                                   const VoxelVisitor& visit) {
-    const std::int64_t voxels = VoxelBox{{}, range.size}.count();
-    const auto stored = static_cast<std::int64_t>(range.stored_channels);
+    const std::int64_t voxels = VoxelBox{{}, texels.size}.count();
+    const auto stored = static_cast<std::int64_t>(texels.stored_channels);
     const std::int64_t most = std::max<std::int64_t>(1, (std::int64_t{1} << 20) / stored);
-    const auto voxel_bytes = static_cast<std::uint64_t>(stored * bytes_per_value(range.type));
+    const std::size_t voxel_bytes = texels.stored_channels * bytes_per_value(texels.type);
     std::string bytes;
     std::vector<float> values;
     std::vector<float> wanted;
@@ -157,9 +150,9 @@ config::Outcome<bool> read_texels(const TexelInput& next, const StoredTexelRange
         bytes.resize(static_cast<std::size_t>(count) * voxel_bytes);
         values.resize(static_cast<std::size_t>(count * stored));
         if (const auto problem = next(bytes.data(), bytes.size())) return *problem;
-        load_values(bytes.data(), values.size(), range.type, values.data());
-        const bool padded = range.channels != range.stored_channels;
-        if (padded) drop_padding(values, range, wanted);
+        load_values(bytes.data(), values.size(), texels.type, values.data());
+        const bool padded = texels.channels != texels.stored_channels;
+        if (padded) drop_padding(values, texels, wanted);
         if (!visit(first, count, padded ? wanted.data() : values.data())) return {false, {}};
     }
     return {true, {}};
@@ -173,11 +166,6 @@ TexelInput texel_input(FileInput& file, std::uint64_t offset) {
         if (done && *done == count) return std::nullopt;
         return file.diagnostic();
     };
-}
-
-config::Outcome<bool> read_texels(FileInput& file, const StoredTexelRange& range,
-                                  const VoxelVisitor& visit) {
-    return read_texels(texel_input(file, range.offset), range, visit);
 }
 
 }  // namespace skybake

@@ -69,13 +69,13 @@ struct Format {
     config::Outcome<bool> (*write)(const FileContent& content, const std::filesystem::path& path);
 
     // Reads what a file says of itself; null if files of the format say nothing. E0300, E0304.
-    config::Outcome<FileFacts> (*inspect)(const std::filesystem::path& path);
+    config::Outcome<FileFacts> (*inspect)(FileInput& file);
 
     // Passes all voxels of a level of the file to `visit`, piece after piece. Returns false once
     // visit has returned false. E0300 if the file cannot be read; E0304 if it is damaged or not of
     // this shape. Null if files of the format have no voxels.
-    config::Outcome<bool> (*read)(const std::filesystem::path& path, const FileShape& shape,
-                                  int level, const VoxelVisitor& visit);
+    config::Outcome<bool> (*read)(FileInput& file, const FileShape& shape, int level,
+                                  const VoxelVisitor& visit);
 
     // Returns the word for the compression of an asset's files; null: "none".
     std::string_view (*compression)(const config::AssetFiles& files) = nullptr;
@@ -129,27 +129,20 @@ config::Diagnostic contradiction(const std::filesystem::path& path, const std::s
 // a text in PNG files.
 inline constexpr const char* metadata_name = "skybake/asset";
 
-// How texels are stored in files without compression, one after the other as in memory.
-enum class TexelPadding {
-    none,
-    three_to_four,  // three channels are stored as four, the fourth of which is 1
-};
-
 // Receives texels, piece after piece; the pieces are the same in every run. If it returns false,
 // writing ends.
 using TexelSink = std::function<bool(std::string_view bytes)>;
 
-// Makes the texels of a level in parallel and passes them on in the order x, y, z, channels
-// interleaved. Returns false once progress->cancelled().
-bool write_texels(const FileContent& content, int level, TexelPadding padding,
-                  const TexelSink& put);
+// Makes the texels of a level in parallel and passes them on in the order x, y, z, channels interleaved, as
+// in memory. With `pads`, three channels are stored as four, the fourth of which is 1. Returns false once
+// progress->cancelled().
+bool write_texels(const FileContent& content, int level, const TexelSink& put, bool pads = false);
 
-// Does the same and appends them to a file, which keeps errors.
-bool write_texels(const FileContent& content, int level, TexelPadding padding, FileOutput& output);
+// Appends texels to a file, which keeps errors.
+TexelSink texel_sink(FileOutput& output);
 
-// Where the texels of a level are in a file.
+// The texels of a level as they follow each other in a file.
 struct StoredTexelRange {
-    std::uint64_t offset = 0;
     std::array<int, 3> size{};
     std::size_t channels = 0;         // the first ones, which are asked for
     std::size_t stored_channels = 0;  // in the file
@@ -161,18 +154,11 @@ struct StoredTexelRange {
 // Reads the next bytes of stored texels, or says why they cannot be read.
 using TexelInput = std::function<std::optional<config::Diagnostic>(char* bytes, std::size_t count)>;
 
-// Reads texels as Format::read does; diagnostics are those of `next`. The range's offset is unused.
-config::Outcome<bool> read_texels(const TexelInput& next, const StoredTexelRange& range,
-                                  const VoxelVisitor& visit);
-
 // Reads the bytes of a file from `offset` on. E0300 if it ends early.
 TexelInput texel_input(FileInput& file, std::uint64_t offset);
 
-// Appends texels to a file, which keeps errors.
-TexelSink texel_sink(FileOutput& output);
-
-// Reads texels as Format::read does. E0300 if the file ends early.
-config::Outcome<bool> read_texels(FileInput& file, const StoredTexelRange& range,
+// Reads texels as Format::read does; diagnostics are those of `next`.
+config::Outcome<bool> read_texels(const TexelInput& next, const StoredTexelRange& texels,
                                   const VoxelVisitor& visit);
 
 }  // namespace skybake

@@ -106,8 +106,8 @@ void SheetWriter::make(const VoxelBox& box, Slot& slot) const {
     const int first = box.origin[2] / grid_.columns * level_.size[1] + box.origin[1];
     slot.made.first = grid_.flipped ? height() - first - rows : first;
     slot.made.count = rows;
-    slot.made.plane = static_cast<std::size_t>(width()) * static_cast<std::size_t>(rows) *
-                      static_cast<std::size_t>(bytes_per_value(type_));
+    slot.made.plane =
+        static_cast<std::size_t>(width()) * static_cast<std::size_t>(rows) * bytes_per_value(type_);
     if (grid_.columns == 1 && type_ == config::PixelType::float32 && !grid_.flipped) {
         slot.made.texels = reinterpret_cast<const char*>(slot.values.data());
         return;
@@ -123,8 +123,7 @@ void SheetWriter::make(const VoxelBox& box, Slot& slot) const {
 }
 
 void SheetWriter::turn_over(char* rows, std::size_t count) const {
-    const std::size_t row =
-        static_cast<std::size_t>(width()) * static_cast<std::size_t>(bytes_per_value(type_));
+    const std::size_t row = static_cast<std::size_t>(width()) * bytes_per_value(type_);
     for (std::size_t y = 0; y < count / 2; ++y) {
         std::swap_ranges(rows + y * row, rows + (y + 1) * row, rows + (count - 1 - y) * row);
     }
@@ -140,7 +139,7 @@ void SheetWriter::arrange(const VoxelBox& box, const float* values, char* out) c
     const auto rows = static_cast<std::size_t>(box.size[1]);
     const auto depth = static_cast<std::size_t>(box.size[2]);
     const auto columns = static_cast<std::size_t>(grid_.columns);
-    const auto width_bytes = static_cast<std::size_t>(bytes_per_value(type_));
+    const auto width_bytes = bytes_per_value(type_);
     const std::size_t cells = (depth - 1) / columns * columns + columns;
     for (std::size_t cell = 0; cell < cells; ++cell) {
         for (std::size_t y = 0; y < rows; ++y) {

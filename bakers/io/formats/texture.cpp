@@ -100,10 +100,8 @@ config::Outcome<bool> read_blocks(const TexelInput& next, const std::array<int, 
 }  // namespace
 
 std::uint32_t texel_code(std::span<const TexelCodes> rows, PixelType type, std::size_t channels) {
-    const auto row = std::find_if(rows.begin(), rows.end(),
-                                  [type](const TexelCodes& entry) { return entry.type == type; });
-    const auto column =
-        std::find(channels_of_codes.begin(), channels_of_codes.end(), stored_channels(channels));
+    const auto row = std::ranges::find(rows, type, &TexelCodes::type);
+    const auto column = std::ranges::find(channels_of_codes, stored_channels(channels));
     if (row == rows.end() || column == channels_of_codes.end()) return 0;
     return row->codes[static_cast<std::size_t>(column - channels_of_codes.begin())];
 }
@@ -185,7 +183,7 @@ TextureExtent texture_extent(const std::array<int, 3>& size, bool is_volume, Tex
 
 std::size_t texel_bytes(PixelType type, std::size_t channels) {
     if (config::is_block_coded(type)) return bytes_per_block(type);
-    return stored_channels(channels) * static_cast<std::size_t>(bytes_per_value(type));
+    return stored_channels(channels) * bytes_per_value(type);
 }
 
 std::uint64_t texture_bytes(const std::array<int, 3>& size, PixelType type, std::size_t channels) {
@@ -198,14 +196,14 @@ std::uint64_t texture_bytes(const std::array<int, 3>& size, PixelType type, std:
 
 bool write_texture(const FileContent& content, int level, const TexelSink& put) {
     if (config::is_block_coded(content.baked.pixel_type)) return write_blocks(content, level, put);
-    return write_texels(content, level, TexelPadding::three_to_four, put);
+    return write_texels(content, level, put, true);
 }
 
 config::Outcome<bool> read_texture(const TexelInput& next, const std::array<int, 3>& size,
                                    PixelType type, std::size_t channels,
                                    const VoxelVisitor& visit) {
     if (config::is_block_coded(type)) return read_blocks(next, size, type, channels, visit);
-    return read_texels(next, {0, size, channels, stored_channels(channels), type}, visit);
+    return read_texels(next, {size, channels, stored_channels(channels), type}, visit);
 }
 
 }  // namespace skybake

@@ -138,9 +138,13 @@ Outcome<bool> read_asset_file(const std::filesystem::path& path, const ManifestA
                              file.levels,
                              file.texture};
     const Format& format = *find_format(file.format);
-    if (format.read != nullptr) return format.read(path, shape, level, visit);
-    return file_error("E0304", path.string(),
-                      fmt::format("`{}` has no voxels of its own", path.string()));
+    if (format.read == nullptr) {
+        return file_error("E0304", path.string(),
+                          fmt::format("`{}` has no voxels of its own", path.string()));
+    }
+    Outcome<FileInput> input = FileInput::open(path);
+    if (!input.value) return {{}, std::move(input.diagnostics)};
+    return format.read(*input.value, shape, level, visit);
 }
 
 }  // namespace skybake

@@ -9,9 +9,9 @@
 #include <exception>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <set>
 #include <string_view>
 
+#include "bakers/field/voxel_index.h"
 #include "bakers/io/files/to_string.h"
 #include "bakers/io/formats/format.h"
 #include "bakers/io/formats/hdr/hdr.h"
@@ -69,21 +69,16 @@ Attributes facts_of(const ComparedImage& image) {
     return facts;
 }
 
-std::optional<std::string> find_fact(const std::map<std::string, std::string>& facts,
-                                     const std::string& name) {
-    const auto found = facts.find(name);
-    return found != facts.end() ? std::optional(found->second) : std::nullopt;
-}
-
 std::vector<AttributeDifference> compare_facts(const std::map<std::string, std::string>& first,
                                                const std::map<std::string, std::string>& second) {
-    std::set<std::string> names;
-    for (const auto& fact : first) names.insert(fact.first);
-    for (const auto& fact : second) names.insert(fact.first);
+    std::map<std::string, AttributeDifference> entries;
+    for (const auto& [name, text] : first) entries[name].first = text;
+    for (const auto& [name, text] : second) entries[name].second = text;
     std::vector<AttributeDifference> differences;
-    for (const std::string& name : names) {
-        AttributeDifference entry{name, find_fact(first, name), find_fact(second, name)};
-        if (entry.first != entry.second) differences.push_back(std::move(entry));
+    for (auto& [name, entry] : entries) {
+        if (entry.first == entry.second) continue;
+        entry.name = name;
+        differences.push_back(std::move(entry));
     }
     return differences;
 }
@@ -107,7 +102,7 @@ constexpr std::int64_t most_compared = 16384;  // along an axis
 bool holds_numbers(const VdbGrid& grid) {
     constexpr std::array<std::string_view, 8> types = {"float", "half", "double", "int32",
                                                        "int64", "fp8",  "fp16",   "vec3s"};
-    return std::find(types.begin(), types.end(), grid.value_type) != types.end();
+    return std::ranges::find(types, grid.value_type) != types.end();
 }
 
 std::map<std::string, const VdbGrid*> grids_by_channel(const VdbFile& file) {
@@ -157,12 +152,9 @@ std::string apart(const FileVoxels& first, const FileVoxels& second, VoxelBox& b
     return "";
 }
 
-// Returns a voxel of a box by its number, x fastest, then y, then z.
-std::vector<int> voxel_at(const VoxelBox& box, std::int64_t number) {
-    const std::int64_t row = number / box.size[0];
-    return {box.origin[0] + static_cast<int>(number % box.size[0]),
-            box.origin[1] + static_cast<int>(row % box.size[1]),
-            box.origin[2] + static_cast<int>(row / box.size[1])};
+std::vector<int> voxel_place(const VoxelBox& box, std::int64_t index) {
+    const std::array<int, 3> voxel = voxel_at(box, index);
+    return {voxel.begin(), voxel.end()};
 }
 
 ChannelDifference compare_voxels(const FileVoxels& first, const FileVoxels& second,
@@ -181,7 +173,7 @@ ChannelDifference compare_voxels(const FileVoxels& first, const FileVoxels& seco
         first.voxels->fill(part, {a.data()});
         second.voxels->fill(part, {b.data()});
         for (std::size_t i = 0; i < count; ++i) {
-            sum.add(a[i], b[i], [&] { return voxel_at(part, static_cast<std::int64_t>(i)); });
+            sum.add(a[i], b[i], [&] { return voxel_place(part, static_cast<std::int64_t>(i)); });
         }
         return true;
     });
@@ -312,7 +304,7 @@ config::Outcome<ImageDifference> compare_listed(const ListedFile& first, const L
     const auto compare = [&](std::int64_t begin, std::int64_t count, const float* values) {
         for (std::size_t i = 0; i < at(count); ++i) {
             sums[i % channels].add(held[at(begin) + i], values[i], [&] {
-                return voxel_at(box, begin + static_cast<std::int64_t>(i / channels));
+                return voxel_place(box, begin + static_cast<std::int64_t>(i / channels));
             });
         }
         return true;

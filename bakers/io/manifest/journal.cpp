@@ -1,6 +1,5 @@
 #include "bakers/io/manifest/journal.h"
 
-#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -10,7 +9,6 @@
 
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/files/system_call.h"
-#include "bakers/io/manifest/release.h"
 
 namespace skybake {
 namespace {
@@ -63,13 +61,6 @@ bool add_entry(const fs::path& folder, ManifestAsset entry, Manifest& manifest) 
     return true;
 }
 
-Manifest empty_manifest() {
-    Manifest manifest;
-    manifest.tool_name = tool_name();
-    manifest.tool_version = release();
-    return manifest;
-}
-
 // Returns errno, or 0.
 int write_text_to(int descriptor, std::string_view text) {
     while (!text.empty()) {
@@ -85,7 +76,7 @@ int write_text_to(int descriptor, std::string_view text) {
 
 std::vector<Diagnostic> BakeJournal::add(std::span<const ManifestAsset> entries) {
     if (entries.empty()) return {};
-    Manifest manifest = empty_manifest();
+    Manifest manifest = new_manifest({});
     manifest.assets.assign(entries.begin(), entries.end());
     const fs::path file = folder_ / manifest_name;
     if (!file_) file_.emplace(file);
@@ -94,9 +85,7 @@ std::vector<Diagnostic> BakeJournal::add(std::span<const ManifestAsset> entries)
                           ? write_text_to(file_->descriptor(), manifest_json(manifest))
                           : errno;
     if (error == 0) return {};
-    const std::string path = file.string();
-    return {file_error("E0301", path,
-                       fmt::format("cannot write `{}`: {}", path, system_reason(error)))};
+    return {cannot_write(file, system_reason(error))};
 }
 
 void BakeJournal::discard() {
@@ -113,7 +102,7 @@ bool add_journals(const fs::path& folder, std::optional<Manifest>& previous) {
     bool says_more = false;
     for (const fs::path& journal : temporaries_of(folder / manifest_name)) {
         for (ManifestAsset& entry : entries_of(journal)) {
-            if (!previous) previous = empty_manifest();
+            if (!previous) previous = new_manifest({});
             says_more = add_entry(folder, std::move(entry), *previous) || says_more;
         }
     }

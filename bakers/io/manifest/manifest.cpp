@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <map>
+#include <algorithm>
 
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/manifest/claimed_files.h"
@@ -72,17 +72,14 @@ ManifestPlace manifest_place(const std::filesystem::path& path) {
 }
 
 Manifest merge_manifests(const Manifest& previous, Manifest fresh) {
-    std::map<std::string, ManifestAsset*> replacements;
-    for (ManifestAsset& asset : fresh.assets) replacements.emplace(asset.name, &asset);
-    std::vector<ManifestAsset> merged;
-    for (const ManifestAsset& asset : previous.assets) {
-        const auto replacement = replacements.extract(asset.name);
-        merged.push_back(replacement ? std::move(*replacement.mapped()) : asset);
-    }
+    std::vector<ManifestAsset> merged = previous.assets;
     for (ManifestAsset& asset : fresh.assets) {
-        const auto left = replacements.find(asset.name);
-        if (left != replacements.end() && left->second == &asset)
+        const auto known = std::ranges::find(merged, asset.name, &ManifestAsset::name);
+        if (known == merged.end()) {
             merged.push_back(std::move(asset));
+        } else {
+            *known = std::move(asset);
+        }
     }
     fresh.assets = std::move(merged);
     return fresh;

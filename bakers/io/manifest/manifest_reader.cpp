@@ -6,6 +6,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <stdexcept>
 
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/files/to_string.h"
@@ -21,8 +22,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // An exception for damaged manifests. It is caught in this file and becomes a diagnostic.
-struct Damage {
-    std::string what;
+struct Damage : std::runtime_error {
+    using std::runtime_error::runtime_error;
 };
 
 // A JSON value and its place, "assets[0].size".
@@ -31,7 +32,7 @@ class Node {
     Node(const Json& json, std::string place) : json_(&json), place_(std::move(place)) {}
 
     [[noreturn]] void fail(const std::string& what) const {
-        throw Damage{fmt::format("`{}`: {}", place_.empty() ? "the whole" : place_, what)};
+        throw Damage(fmt::format("`{}`: {}", place_.empty() ? "the whole" : place_, what));
     }
 
     Node operator[](const char* key) const {
@@ -364,7 +365,7 @@ class KeysOnce {
         if (event != Json::parse_event_t::key) return;
         const auto key = parsed.get<std::string>();
         if (!objects_.back().insert(key).second) {
-            throw Damage{fmt::format("`{}` stands twice in one object", key)};
+            throw Damage(fmt::format("`{}` stands twice in one object", key));
         }
     }
 
@@ -381,7 +382,7 @@ Json parse_json(std::string_view text) {
         const bool opens =
             event == Json::parse_event_t::object_start || event == Json::parse_event_t::array_start;
         if (opens && around >= most) {
-            throw Damage{fmt::format("its objects and arrays nest more than {} deep", most)};
+            throw Damage(fmt::format("its objects and arrays nest more than {} deep", most));
         }
         keys.read(event, parsed);
         return true;
@@ -397,8 +398,6 @@ Outcome<Manifest> parse_manifest(std::string_view text, const std::string& name)
     };
     try {
         return {read_whole(parse_json(text)), {}};
-    } catch (const Damage& damage) {
-        return damaged(damage.what);
     } catch (const nlohmann::json::parse_error& error) {
         const std::size_t byte = error.byte > 0 ? error.byte - 1 : 0;
         return damaged(fmt::format("not JSON at {}", place_in(text, byte)));
@@ -422,10 +421,8 @@ Outcome<ManifestAsset> parse_file_entry(std::string_view text, const std::string
             file["xxh3"] = "";
         }
         ManifestAsset asset = read_asset(Node(json, ""));
-        if (asset.files.size() != 1) throw Damage{"it names other files"};
+        if (asset.files.size() != 1) throw Damage("it names other files");
         return {std::move(asset), {}};
-    } catch (const Damage& damage) {
-        return file_error("E0304", name, fmt::format("`{}`: {}", name, damage.what));
     } catch (const std::exception& error) {
         return file_error("E0304", name, fmt::format("`{}`: {}", name, error.what()));
     }
@@ -434,8 +431,6 @@ Outcome<ManifestAsset> parse_file_entry(std::string_view text, const std::string
 std::optional<Manifest> parse_earlier_claims(std::string_view text) {
     try {
         return read_earlier_claims(parse_json(text));
-    } catch (const Damage&) {
-        return std::nullopt;
     } catch (const std::exception&) {
         return std::nullopt;
     }

@@ -44,6 +44,35 @@ std::string statistics_text(const std::vector<std::string>& channels, const Mani
     return text;
 }
 
+// "texel max 1e-7 rms 2e-8 (1024 points); lookup max ..."
+std::string error_line(const std::optional<Certificate>& certificate) {
+    if (!certificate) return "not measured";
+    const Certificate& c = *certificate;
+    std::string line;
+    if (c.sky) {
+        line = fmt::format(
+            "sky median {} ninth decile {} max {} standard error {} ({} values), reference: {}; ",
+            c.sky->median, c.sky->ninth_decile, c.sky->max, c.sky->standard_error, c.sky->points,
+            c.sky->reference);
+    }
+    if (c.color) {
+        line += fmt::format("colour median {} ninth decile {} max {} ({} skies); ", c.color->median,
+                            c.color->ninth_decile, c.color->max, c.color->skies);
+    }
+    line += fmt::format(
+        "lookup max {} rms {} ({} points); texel max {} rms {} ({} points); reference: {}; scale: "
+        "{}",
+        c.lookup.max, c.lookup.rms, c.lookup_points, c.texel.max, c.texel.rms, c.texel_points,
+        c.reference, c.scale);
+    if (!c.worst.empty()) line += fmt::format("; worst at {}", c.worst);
+    return line;
+}
+
+std::string axis_line(const AxisMapping& axis) {
+    return fmt::format("{} from {} to {}, {}: {}", axis.quantity, axis.first, axis.last,
+                       axis.convention, axis.formula);
+}
+
 using Json = nlohmann::ordered_json;
 
 // Whether a key only tells where other values come from (`include`, `preset`, `frequency`). The
@@ -153,34 +182,6 @@ std::string units_line(const Conventions& conventions) {
     return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-std::string error_line(const std::optional<Certificate>& certificate) {
-    if (!certificate) return "not measured";
-    const Certificate& c = *certificate;
-    std::string line;
-    if (c.sky) {
-        line = fmt::format(
-            "sky median {} ninth decile {} max {} standard error {} ({} values), reference: {}; ",
-            c.sky->median, c.sky->ninth_decile, c.sky->max, c.sky->standard_error, c.sky->points,
-            c.sky->reference);
-    }
-    if (c.color) {
-        line += fmt::format("colour median {} ninth decile {} max {} ({} skies); ", c.color->median,
-                            c.color->ninth_decile, c.color->max, c.color->skies);
-    }
-    line += fmt::format(
-        "lookup max {} rms {} ({} points); texel max {} rms {} ({} points); reference: {}; scale: "
-        "{}",
-        c.lookup.max, c.lookup.rms, c.lookup_points, c.texel.max, c.texel.rms, c.texel_points,
-        c.reference, c.scale);
-    if (!c.worst.empty()) line += fmt::format("; worst at {}", c.worst);
-    return line;
-}
-
-std::string axis_line(const AxisMapping& axis) {
-    return fmt::format("{} from {} to {}, {}: {}", axis.quantity, axis.first, axis.last,
-                       axis.convention, axis.formula);
-}
-
 FactLines entry_lines(const ManifestAsset& asset, const ManifestFile& file) {
     const ManifestLevel& level = asset.levels[static_cast<std::size_t>(file.level)];
     FactLines lines = {
@@ -222,13 +223,13 @@ Outcome<ManifestAsset> entry_of_file(const std::filesystem::path& path) {
     const std::string extension = path.extension().string();
     const Format* format = find_format(extension.empty() ? "exr" : extension.substr(1));
     if (format == nullptr) format = &format_of(config::FileFormat::exr);
+    Outcome<FileInput> file = FileInput::open(path);
+    if (!file.value) return {{}, std::move(file.diagnostics)};
     std::string text;
     if (format->has_metadata) {
-        const auto facts = format->inspect(path);
+        const auto facts = format->inspect(*file.value);
         if (!facts.value) return {{}, facts.diagnostics};
         text = facts.value->metadata;
-    } else if (const auto file = FileInput::open(path); !file.value) {
-        return {{}, file.diagnostics};
     }
     Outcome<ManifestAsset> entry = parse_file_entry(text, path.string());
     if (!entry.value) {
@@ -240,8 +241,7 @@ Outcome<ManifestAsset> entry_of_file(const std::filesystem::path& path) {
             "a manifest.json in its folder may describe it");
     }
     entry.value->name = path.stem().string();
-    std::error_code error;
-    entry.value->files[0].bytes = std::filesystem::file_size(path, error);
+    entry.value->files[0].bytes = file.value->size();
     return entry;
 }
 

@@ -34,12 +34,6 @@ FactLines entry_lines(const ManifestAsset& asset, const ManifestFile& file);
 // Returns the units of an asset in one line.
 std::string units_line(const Conventions& conventions);
 
-// Returns the error figures in one line: "texel max 1e-7 rms 2e-8 (1024 points); lookup max ..."
-std::string error_line(const std::optional<Certificate>& certificate);
-
-// Describes one axis in one line: quantity, range, convention, formula.
-std::string axis_line(const AxisMapping& axis);
-
 // Returns the recipe that a folder was baked from, by parsing manifest.parameters. It records all
 // resolved values, so the resulting parameters equal those of the bake. There are two limits: after
 // a bake of a part (`--only`), it is the recipe of that last bake; and maps, unlike includes, are

@@ -13,6 +13,7 @@
 #include "bakers/field/finish_table.h"
 #include "bakers/field/pixel_type.h"
 #include "bakers/field/value_kernel.h"
+#include "bakers/field/voxel_index.h"
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/files/to_string.h"
 #include "bakers/io/formats/format.h"
@@ -23,10 +24,6 @@
 
 namespace skybake {
 namespace {
-
-std::int64_t voxel_index(const std::array<int, 3>& size, const std::array<int, 3>& voxel) {
-    return (std::int64_t{voxel[2]} * size[1] + voxel[1]) * size[0] + voxel[0];
-}
 
 std::vector<ProbeLookup> lookups_of(const Probe& probe) {
     if (!probe.blend) return {{probe.uvw}};
@@ -71,7 +68,7 @@ class VoxelCheck {
             min_[c] = std::min(min_[c], *std::ranges::min_element(lanes.least));
             max_[c] = std::max(max_[c], *std::ranges::max_element(lanes.most));
         }
-        bytes_.resize(total * static_cast<std::size_t>(bytes_per_value(type_)));
+        bytes_.resize(total * bytes_per_value(type_));
         store_values(values, total, type_, bytes_.data());
         hasher_.update(bytes_);
         // Both the voxels and the list of wanted voxels are in order.
@@ -128,7 +125,7 @@ class VoxelCheck {
 
     void want(const TextureUse& use, const std::array<double, 3>& uvw) {
         for (const VoxelTap& tap : lookup_taps(use, uvw)) {
-            wanted_.push_back(voxel_index(level_.size, tap.voxel));
+            wanted_.push_back(index_in({{}, level_.size}, tap.voxel));
         }
     }
 
@@ -136,7 +133,7 @@ class VoxelCheck {
     ReadableTexture kept_texture() const {
         const auto read = [this](const std::array<VoxelTap, 8>& taps, float* values) {
             for (const VoxelTap& tap : taps) {
-                const std::int64_t index = voxel_index(level_.size, tap.voxel);
+                const std::int64_t index = index_in({{}, level_.size}, tap.voxel);
                 const auto found = std::ranges::lower_bound(wanted_, index);
                 const auto at = static_cast<std::size_t>(found - wanted_.begin()) * channels_;
                 values = std::copy_n(&kept_[at], channels_, values);
@@ -223,7 +220,9 @@ void check_content(Examination& examination, const std::filesystem::path& path,
     const Format* format = find_format(file.format);
     if (format == nullptr) return;  // a text, checked by its hash
     if (format->inspect) {
-        const Outcome<FileFacts> facts = format->inspect(path);
+        Outcome<FileInput> input = FileInput::open(path);
+        const Outcome<FileFacts> facts =
+            input.value ? format->inspect(*input.value) : Outcome<FileFacts>{{}, input.diagnostics};
         if (!examination.expect_read(facts, "format")) return;
         check_facts(examination, *facts.value, asset, file);
         if (format->has_metadata) {
@@ -297,7 +296,7 @@ Outcome<VerifyReport> verify_bake(const std::filesystem::path& path,
         check_further(report, asset, further);
     }
     for (const FolderCheck& check : of_folder) {
-        for (VerifyFailure& failure : check.run(*manifest.value, place.folder, report.checks)) {
+        for (VerifyFailure& failure : check(*manifest.value, place.folder, report.checks)) {
             report.failures.push_back(std::move(failure));
         }
     }

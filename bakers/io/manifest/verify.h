@@ -33,13 +33,10 @@ struct AssetCheck {
     std::function<std::vector<std::string>(const ManifestAsset& asset, int& checks)> run;
 };
 
-// A further check of a whole folder, for facts that concern several assets.
-struct FolderCheck {
-    // Returns the failures and increases `checks` by the number of checks made.
-    std::function<std::vector<VerifyFailure>(const Manifest& manifest,
-                                             const std::filesystem::path& folder, int& checks)>
-        run;
-};
+// A further check of a whole folder, for facts that concern several assets. Returns the failures and
+// increases `checks` by the number of checks made.
+using FolderCheck = std::function<std::vector<VerifyFailure>(
+    const Manifest& manifest, const std::filesystem::path& folder, int& checks)>;
 
 // Reads every file that a manifest lists and makes every check that is possible without baking:
 // presence, byte count, hash of the file, size, channels, pixel type, each attribute against the

@@ -126,13 +126,10 @@ void turn_to_space(const IndexAxes& axes, FileVoxels& voxels) {
 std::optional<std::string> find_grid_name(const std::vector<GridName>& grids,
                                           const std::string& asked, std::size_t& number) {
     const std::string wanted = asked.empty() ? "density" : asked;
-    const auto named = std::find_if(grids.begin(), grids.end(),
-                                    [&](const GridName& grid) { return grid.name == wanted; });
-    const auto is_of_numbers = [](const GridName& grid) { return grid.is_of_numbers; };
-    auto found = named;
-    const bool takes_any = asked.empty() && (named == grids.end() || !named->is_of_numbers);
-    if (takes_any && std::count_if(grids.begin(), grids.end(), is_of_numbers) == 1) {
-        found = std::find_if(grids.begin(), grids.end(), is_of_numbers);
+    auto found = std::ranges::find(grids, wanted, &GridName::name);
+    const bool takes_any = asked.empty() && (found == grids.end() || !found->is_of_numbers);
+    if (takes_any && std::ranges::count(grids, true, &GridName::is_of_numbers) == 1) {
+        found = std::ranges::find(grids, true, &GridName::is_of_numbers);
     }
     number = static_cast<std::size_t>(found - grids.begin());
     if (found != grids.end()) return std::nullopt;

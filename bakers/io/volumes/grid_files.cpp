@@ -67,7 +67,8 @@ Outcome<FileVoxels> open_numbers(const fs::path& path, const std::string& grid) 
                             : open_vdb_grid(path, grid, VolumePart::numbers);
 }
 
-Outcome<FileFacts> inspect_grids(const fs::path& path) {
+Outcome<FileFacts> inspect_grids(FileInput& input) {
+    const fs::path& path = input.path();
     const Outcome<VdbFile> file = read_grids(path);
     if (!file.value) return {{}, file.diagnostics};
     FileFacts facts;
@@ -90,9 +91,10 @@ Outcome<FileFacts> inspect_grids(const fs::path& path) {
     return {std::move(facts), {}};
 }
 
-Outcome<bool> read_grid_voxels(const fs::path& path, const FileShape& shape, int,
+Outcome<bool> read_grid_voxels(FileInput& input, const FileShape& shape, int,
                                const VoxelVisitor& visit) {
-    const Outcome<FileFacts> facts = inspect_grids(path);
+    const fs::path& path = input.path();
+    const Outcome<FileFacts> facts = inspect_grids(input);
     if (!facts.value) return {{}, facts.diagnostics};
     const bool is_open = is_nanovdb(path);  // its size is not stated
     bool fits = facts.value->channels == shape.channels;

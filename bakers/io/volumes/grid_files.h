@@ -25,11 +25,11 @@ std::vector<std::string> channels_of(const VdbGrid& grid);
 Outcome<FileVoxels> open_numbers(const std::filesystem::path& path, const std::string& grid);
 
 // Like Format::inspect. NanoVDB files of float grids do not say whether their values were halves.
-Outcome<FileFacts> inspect_grids(const std::filesystem::path& path);
+Outcome<FileFacts> inspect_grids(FileInput& file);
 
 // Like Format::read, of grids of one size at the origin. NanoVDB files do not state it, so that a file of
 // a smaller volume is told by its content alone. Memory use is that of the grids and eight slices.
-Outcome<bool> read_grid_voxels(const std::filesystem::path& path, const FileShape& shape, int level,
+Outcome<bool> read_grid_voxels(FileInput& file, const FileShape& shape, int level,
                                const VoxelVisitor& visit);
 
 }  // namespace skybake

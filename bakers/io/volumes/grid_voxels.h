@@ -21,6 +21,8 @@
 #include <vector>
 
 #include "bakers/field/level.h"
+#include "bakers/field/voxel_index.h"
+#include "bakers/io/volumes/file_voxels.h"
 
 namespace skybake {
 
@@ -55,15 +57,16 @@ void copy_leaf(const VoxelBox& part, const VoxelBox& box, const ValueAt& value_a
     };
     for (int z = part.origin[2]; z < part.origin[2] + part.size[2]; ++z) {
         for (int y = part.origin[1]; y < part.origin[1] + part.size[1]; ++y) {
-            const std::int64_t row =
-                std::int64_t{z - box.origin[2]} * box.size[1] + (y - box.origin[1]);
-            float* to = out + row * box.size[0] + (part.origin[0] - box.origin[0]);
+            float* to = out + index_in(box, {part.origin[0], y, z});
             for (int x = part.origin[0]; x < part.origin[0] + part.size[0]; ++x) {
                 *to++ = value_at(offset(x, y, z));
             }
         }
     }
 }
+
+// The values of a leaf in the order of its offsets.
+using LeafValues = std::array<float, 512>;
 
 class DensityRamp {
   public:
@@ -83,5 +86,25 @@ class DensityRamp {
     float half_width_ = 0;
     bool changes_ = false;
 };
+
+// Makes densities of a leaf's numbers. Those that are not finite are taken for the background.
+inline void make_densities(const DensityRamp& density, float background, LeafValues& values) {
+    for (float& value : values) value = density(std::isfinite(value) ? value : background);
+}
+
+// Makes densities of the numbers of a leaf at a corner, and counts their faults and the largest one.
+// Returns whether all of them are 0.
+inline bool survey_leaf(const std::array<int, 3>& corner, const DensityRamp& density,
+                        float background, LeafValues& values, FileVoxels& voxels) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (!ValueFaults::is_fault(values[i]) || values[i] == background) continue;
+        const auto offset = static_cast<std::int64_t>(i);
+        voxels.faults.add(values[i], {corner[0] + (offset >> 6), corner[1] + (offset >> 3 & 7),
+                                      corner[2] + (offset & 7)});
+    }
+    make_densities(density, background, values);
+    voxels.largest = std::max(voxels.largest, *std::ranges::max_element(values));
+    return std::ranges::all_of(values, [](float value) { return value == 0; });
+}
 
 }  // namespace skybake

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "bakers/field/voxel_index.h"
 #include "bakers/io/files/file_io.h"
 #include "bakers/math/half_conversion.h"
 
@@ -50,21 +51,33 @@ float value_at(const char* bytes, PixelType type, ByteOrder order) {
     return static_cast<float>(number) / largest;
 }
 
+// The voxels along the axes of the file, of which the first is the fastest.
 class RawVoxels : public VoxelSource {
   public:
     RawVoxels(FileInput file, const RawLayout& layout)
-        : file_(std::move(file)), layout_(layout), axes_(axes_of(layout.axis_order)) {}
+        : file_(std::move(file)), layout_(layout), axes_(axes_of(layout.axis_order)) {
+        for (std::size_t i = 0; i < 3; ++i) voxels_.size[i] = layout.size[axes_[i]];
+    }
 
     std::uint64_t bytes() const {
-        return layout_.offset + static_cast<std::uint64_t>(VoxelBox{{}, layout_.size}.count()) *
-                                    bytes_of(layout_.type);
+        return layout_.offset +
+               static_cast<std::uint64_t>(voxels_.count()) * bytes_of(layout_.type);
     }
     std::uint64_t file_bytes() const { return file_.size(); }
+
+    const std::array<int, 3>& size() const { return voxels_.size; }
+
+    // The axes of space among those of the file.
+    IndexAxes axes() const {
+        IndexAxes axes;
+        for (std::size_t i = 0; i < 3; ++i) axes.index[axes_[i]] = i;
+        return axes;
+    }
 
     // Reads all voxels once, for the largest value, at least 0, and the faults.
     void survey(FileVoxels& voxels) const {
         constexpr std::int64_t most = 1 << 18;
-        const std::int64_t count = VoxelBox{{}, layout_.size}.count();
+        const std::int64_t count = voxels_.count();
         std::string bytes;
         std::vector<float> values(most);
         for (std::int64_t first = 0; first < count; first += most) {
@@ -72,7 +85,7 @@ class RawVoxels : public VoxelSource {
             read(first, part, bytes, values.data());
             for (std::size_t i = 0; i < part; ++i) {
                 if (ValueFaults::is_fault(values[i])) {
-                    voxels.faults.add(values[i], index_at(first + static_cast<std::int64_t>(i)));
+                    voxels.faults.add(values[i], index_of(first + static_cast<std::int64_t>(i)));
                 } else {
                     voxels.largest = std::max(voxels.largest, values[i]);
                 }
@@ -82,51 +95,34 @@ class RawVoxels : public VoxelSource {
 
     // Voxels along the fastest axis are read together.
     void fill(const VoxelBox& box, const std::vector<float*>& channels) const override {
-        float* out = channels[0];
-        std::fill_n(out, box.count(), 0.0F);
+        std::fill_n(channels[0], box.count(), 0.0F);
         std::array<int, 3> first{};
         std::array<int, 3> end{};
         for (std::size_t i = 0; i < 3; ++i) {
             first[i] = std::max(box.origin[i], 0);
-            end[i] = std::min(box.origin[i] + box.size[i], layout_.size[i]);
+            end[i] = std::min(box.origin[i] + box.size[i], voxels_.size[i]);
             if (first[i] >= end[i]) return;
         }
-        const auto [fast, middle, slow] = axes_;
-        const auto count = static_cast<std::size_t>(end[fast] - first[fast]);
-        const std::int64_t step = step_of(box, fast);
+        const auto count = static_cast<std::size_t>(end[0] - first[0]);
         std::string bytes;
-        std::vector<float> line(count);
-        std::array<int, 3> at = first;
-        for (at[slow] = first[slow]; at[slow] < end[slow]; ++at[slow]) {
-            for (at[middle] = first[middle]; at[middle] < end[middle]; ++at[middle]) {
-                const std::int64_t row = std::int64_t{at[slow]} * layout_.size[middle] + at[middle];
-                read(row * layout_.size[fast] + first[fast], count, bytes, line.data());
-                float* to = out;
-                for (std::size_t i = 0; i < 3; ++i) {
-                    to += (at[i] - box.origin[i]) * step_of(box, i);
-                }
-                for (std::size_t i = 0; i < count; ++i, to += step) {
-                    *to = std::isfinite(line[i]) ? line[i] : 0;
+        for (int z = first[2]; z < end[2]; ++z) {
+            for (int y = first[1]; y < end[1]; ++y) {
+                float* const line = channels[0] + index_in(box, {first[0], y, z});
+                read(index_in(voxels_, {first[0], y, z}), count, bytes, line);
+                for (std::size_t i = 0; i < count; ++i) {
+                    if (!std::isfinite(line[i])) line[i] = 0;
                 }
             }
         }
     }
 
   private:
-    // Returns the indices of a voxel, given its number in the file's order.
-    std::array<std::int64_t, 3> index_at(std::int64_t number) const {
+    // Returns the indices of a voxel along x, y and z, given its number in the file's order.
+    std::array<std::int64_t, 3> index_of(std::int64_t number) const {
+        const std::array<int, 3> in_file = voxel_at(voxels_, number);
         std::array<std::int64_t, 3> index{};
-        for (const std::size_t axis : axes_) {
-            index[axis] = number % layout_.size[axis];
-            number /= layout_.size[axis];
-        }
+        for (std::size_t i = 0; i < 3; ++i) index[axes_[i]] = in_file[i];
         return index;
-    }
-
-    // The distance of neighbours along an axis in a box.
-    static std::int64_t step_of(const VoxelBox& box, std::size_t axis) {
-        if (axis == 0) return 1;
-        return axis == 1 ? box.size[0] : std::int64_t{box.size[0]} * box.size[1];
     }
 
     // Reads voxels in the file's order.
@@ -149,14 +145,13 @@ class RawVoxels : public VoxelSource {
     mutable FileInput file_;
     const RawLayout layout_;
     const std::array<std::size_t, 3> axes_;
+    VoxelBox voxels_;
 };
 
 Outcome<FileVoxels> not_such_a_volume(const std::filesystem::path& path,
                                       const std::string& reason) {
-    return {
-        {},
-        {file_error("E0304", path.string(),
-                    fmt::format("cannot read `{}` as a raw volume: {}", path.string(), reason))}};
+    return file_error("E0304", path.string(),
+                      fmt::format("cannot read `{}` as a raw volume: {}", path.string(), reason));
 }
 
 }  // namespace
@@ -181,7 +176,9 @@ Outcome<FileVoxels> open_raw_volume(const std::filesystem::path& path, const Raw
     if (not_finite == config::NotFinite::refuse && voxels.faults.not_finite.count > 0) {
         return not_such_a_volume(path, refusal_of(voxels.faults));
     }
+    voxels.size = source->size();
     voxels.voxels = source;
+    turn_to_space(source->axes(), voxels);
     return {std::move(voxels), {}};
 }
 

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "bakers/field/voxel_index.h"
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/formats/nvdb/nvdb_source.h"
 #include "bakers/io/formats/vdb/vdb_source.h"
@@ -37,20 +38,6 @@ Outcome<FileVoxels> open_file(const VolumeFile& volume, VolumePart part) {
     return open_raw_volume(path, layout, part, volume.not_finite);
 }
 
-// Where the voxels that count are, by index along the file's axes.
-struct Cut {
-    std::array<int, 3> first{};
-    std::array<int, 3> size{};
-    std::array<double, 3> voxel_size_m{};
-    std::array<double, 3> corner_m{};  // in the file's space
-    bool has_place = false;            // the file says where it lies
-};
-
-struct Problem {
-    std::string code;
-    std::string reason;
-};
-
 // Replaces the file's voxels by those of the recipe.
 void set_voxel_size(const VolumeFile& volume, FileVoxels& file) {
     for (std::size_t i = 0; i < 3; ++i) {
@@ -71,7 +58,8 @@ void cut_by_lengths(const VolumeFile& volume, const FileVoxels& file, std::array
     }
 }
 
-std::optional<Problem> find_cut(const VolumeFile& volume, const FileVoxels& file, Cut& cut) {
+// Leaves the voxels of the recipe's crop, or all. Returns why there is no such volume, in words, or nothing.
+std::optional<std::string> cut_voxels(const VolumeFile& volume, FileVoxels& file) {
     std::array<double, 3> first{};
     std::array<double, 3> count{};
     const bool is_counted = volume.crop_size[0] > 0;
@@ -85,25 +73,19 @@ std::optional<Problem> find_cut(const VolumeFile& volume, const FileVoxels& file
         const double border = i == up ? 0 : 2.0 * volume.border;
         if (count[i] + border > most_voxels) {
             const bool is_cut = count[i] != file.size[i] || border > 0;
-            return Problem{"E0110",
-                           fmt::format("{} {} voxels along {}, and at most {} are read{}",
-                                       is_cut ? "with its crop and border it has" : "it has",
-                                       count[i] + border, "xyz"[i], most_voxels,
-                                       is_cut ? "" : "; crop_first and crop_size choose a part")};
+            return fmt::format("{} {} voxels along {}, and at most {} are read{}",
+                               is_cut ? "with its crop and border it has" : "it has",
+                               count[i] + border, "xyz"[i], most_voxels,
+                               is_cut ? "" : "; crop_first and crop_size choose a part");
         }
         const double end = double{1} * file.first[i] + file.size[i];
         if (first[i] >= end || first[i] + count[i] <= file.first[i]) {
-            return Problem{
-                "E0110",
-                fmt::format("its voxels along {} are {} to {}, and the crop is {} to {}", "xyz"[i],
-                            file.first[i], end - 1, first[i], first[i] + count[i] - 1)};
+            return fmt::format("its voxels along {} are {} to {}, and the crop is {} to {}",
+                               "xyz"[i], file.first[i], end - 1, first[i], first[i] + count[i] - 1);
         }
-        cut.first[i] = static_cast<int>(first[i]);
-        cut.size[i] = static_cast<int>(count[i]);
-        cut.voxel_size_m[i] = file.voxel_size[i];
-        cut.corner_m[i] = file.index_origin[i] + first[i] * file.voxel_size[i];
+        file.first[i] = static_cast<int>(first[i]);
+        file.size[i] = static_cast<int>(count[i]);
     }
-    cut.has_place = file.has_place;
     return std::nullopt;
 }
 
@@ -114,35 +96,31 @@ std::array<T, 3> turned(const std::array<T, 3>& of_file, VolumeUp up) {
     return {of_file[0], of_file[2], of_file[1]};
 }
 
-config::VolumeShape shape_of(const VolumeFile& volume, const Cut& cut) {
-    config::VolumeShape shape{turned(cut.size, volume.up_axis),
-                              turned(cut.voxel_size_m, volume.up_axis),
-                              turned(cut.corner_m, volume.up_axis)};
+config::VolumeShape shape_of(const VolumeFile& volume, const FileVoxels& file) {
+    std::array<double, 3> corner_m{};  // in the file's space
+    for (std::size_t i = 0; i < 3; ++i) {
+        corner_m[i] = file.index_origin[i] + file.first[i] * file.voxel_size[i];
+    }
+    config::VolumeShape shape{turned(file.size, volume.up_axis),
+                              turned(file.voxel_size, volume.up_axis),
+                              turned(corner_m, volume.up_axis)};
     // With y up, the cloud's y is the file's -z.
     if (volume.up_axis == VolumeUp::y) {
-        shape.corner_m[1] = -(cut.corner_m[2] + cut.size[2] * cut.voxel_size_m[2]);
+        shape.corner_m[1] = -(corner_m[2] + file.size[2] * file.voxel_size[2]);
     }
     for (std::size_t i = 0; i < 2; ++i) {
         shape.size[i] += 2 * volume.border;
         shape.corner_m[i] -= volume.border * shape.voxel_size_m[i];
     }
-    if (!cut.has_place) shape.corner_m = {};
+    if (!file.has_place) shape.corner_m = {};
     return shape;
 }
 
-// A cut of a file's voxels whose third axis is up.
-//
-// With y up, voxel (x, y, z) of the cloud is voxel (x, z, n - 1 - y) of the file's cut, where n is its
-// size along z. That is a turn by 90 degrees about x; without the reversal it would mirror the cloud.
+// The voxels of a file whose third axis is up, with a border and scaled.
 class PlacedVoxels : public VoxelSource {
   public:
-    PlacedVoxels(const VolumeFile& volume, Cut cut, FileVoxels file)
-        : cut_(cut),
-          up_(volume.up_axis),
-          border_(volume.border),
-          inner_(turned(cut.size, volume.up_axis)),
-          scale_(volume.scale),
-          file_(std::move(file)) {}
+    PlacedVoxels(const VolumeFile& volume, FileVoxels file)
+        : border_(volume.border), scale_(volume.scale), file_(std::move(file)) {}
 
     float scaled(float value) const { return static_cast<float>(value * scale_); }
 
@@ -151,14 +129,13 @@ class PlacedVoxels : public VoxelSource {
         const VoxelBox inside = clipped(box);
         if (inside.size != box.size) std::fill_n(out, box.count(), scaled(file_.background));
         if (inside.count() == 0) return;
-        const VoxelBox source = of_file(inside);
-        std::vector<float> values(static_cast<std::size_t>(source.count()));
-        file_.voxels->fill(source, {values.data()});
-        for (int z = 0; z < inside.size[2]; ++z) {
-            for (int y = 0; y < inside.size[1]; ++y) {
-                const float* from = values.data() + row_in(source, inside, y, z);
-                float* to = out + row_of(box, inside, y, z);
-                for (int x = 0; x < inside.size[0]; ++x) to[x] = scaled(from[x]);
+        std::vector<float> values(static_cast<std::size_t>(inside.count()));
+        file_.voxels->fill(of_file(inside), {values.data()});
+        const float* from = values.data();
+        for (int z = inside.origin[2]; z < inside.origin[2] + inside.size[2]; ++z) {
+            for (int y = inside.origin[1]; y < inside.origin[1] + inside.size[1]; ++y) {
+                float* to = out + index_in(box, {inside.origin[0], y, z});
+                for (int x = 0; x < inside.size[0]; ++x) to[x] = scaled(*from++);
             }
         }
     }
@@ -172,12 +149,12 @@ class PlacedVoxels : public VoxelSource {
   private:
     int margin(std::size_t axis) const { return axis == 2 ? 0 : border_; }
 
-    // Returns the part of a box that lies within the cut.
+    // Returns the part of a box that lies within the file's voxels.
     VoxelBox clipped(const VoxelBox& box) const {
         VoxelBox inside;
         for (std::size_t i = 0; i < 3; ++i) {
             const int first = std::max(box.origin[i], margin(i));
-            const int end = std::min(box.origin[i] + box.size[i], margin(i) + inner_[i]);
+            const int end = std::min(box.origin[i] + box.size[i], margin(i) + file_.size[i]);
             inside.origin[i] = first;
             inside.size[i] = std::max(end - first, 0);
         }
@@ -185,44 +162,22 @@ class PlacedVoxels : public VoxelSource {
     }
 
     VoxelBox of_file(const VoxelBox& inside) const {
-        std::array<int, 3> first{};
-        for (std::size_t i = 0; i < 3; ++i) first[i] = inside.origin[i] - margin(i);
-        if (up_ == VolumeUp::y) first[1] = inner_[1] - first[1] - inside.size[1];
-        VoxelBox source{turned(first, up_), turned(inside.size, up_)};
-        for (std::size_t i = 0; i < 3; ++i) source.origin[i] += cut_.first[i];
+        VoxelBox source = inside;
+        for (std::size_t i = 0; i < 3; ++i) source.origin[i] += file_.first[i] - margin(i);
         return source;
     }
 
-    // Returns where the row (y, z) of a part begins in the box of the file that it comes from.
-    std::int64_t row_in(const VoxelBox& source, const VoxelBox& inside, int y, int z) const {
-        const bool is_up = up_ == VolumeUp::z;
-        const int file_y = is_up ? y : z;
-        const int file_z = is_up ? z : inside.size[1] - 1 - y;
-        return (std::int64_t{file_z} * source.size[1] + file_y) * source.size[0];
-    }
-
-    static std::int64_t row_of(const VoxelBox& box, const VoxelBox& inside, int y, int z) {
-        const int slice = inside.origin[2] - box.origin[2] + z;
-        const int row = inside.origin[1] - box.origin[1] + y;
-        return (std::int64_t{slice} * box.size[1] + row) * box.size[0] + inside.origin[0] -
-               box.origin[0];
-    }
-
-    const Cut cut_;
-    const VolumeUp up_;
     const int border_;
-    const std::array<int, 3> inner_;
     const double scale_;
     const FileVoxels file_;
 };
 
 // Makes diagnostics point to the recipe, if one names the file.
-template <class T>
-Outcome<T> located(const VolumeFile& volume, std::vector<Diagnostic> diagnostics) {
+std::vector<Diagnostic> located(const VolumeFile& volume, std::vector<Diagnostic> diagnostics) {
     for (Diagnostic& diagnostic : diagnostics) {
         if (!volume.file_place.source.empty()) diagnostic.where = volume.file_place;
     }
-    return {{}, std::move(diagnostics)};
+    return diagnostics;
 }
 
 // Warns (W0226) of values below 0, which are no densities.
@@ -230,48 +185,49 @@ std::vector<Diagnostic> warnings_of(const VolumeFile& volume, const ValueFaults&
     const ValueFaults::Kind& found = faults.negative;
     if (found.count == 0) return {};
     const std::string path = volume.path.string();
-    Diagnostic warning = file_error(
+    return {file_error(
         "W0226", path,
         fmt::format("`{}`: {}{}; they count as 0", path, words_of_fault(found, "below 0"),
                     found.count > 1 ? fmt::format(", and {} is the least", found.least) : ""),
-        "densities are at least 0");
-    if (!volume.file_place.source.empty()) warning.where = volume.file_place;
-    return {std::move(warning)};
+        "densities are at least 0")};
 }
 
-template <class T, class Make>
-Outcome<T> with_cut(const VolumeFile& volume, VolumePart part, const Make& make) {
+// Opens the voxels that the recipe names, along the axes of the file's space.
+Outcome<FileVoxels> open_cut(const VolumeFile& volume, VolumePart part) {
     Outcome<FileVoxels> file = open_file(volume, part);
-    if (!file.value) return located<T>(volume, std::move(file.diagnostics));
+    if (!file.value) return {{}, located(volume, std::move(file.diagnostics))};
     set_voxel_size(volume, *file.value);
-    Cut cut;
-    if (const auto problem = find_cut(volume, *file.value, cut)) {
+    if (const auto reason = cut_voxels(volume, *file.value)) {
         const std::string path = volume.path.string();
         const std::string message =
-            fmt::format("cannot take a volume from `{}`: {}", path, problem->reason);
-        return located<T>(volume, {file_error(problem->code, path, message)});
+            fmt::format("cannot take a volume from `{}`: {}", path, *reason);
+        return {{}, located(volume, {file_error("E0110", path, message)})};
     }
-    std::vector<Diagnostic> warnings = warnings_of(volume, file.value->faults);
-    return {make(cut, std::move(*file.value)), std::move(warnings)};
+    file.diagnostics = located(volume, warnings_of(volume, file.value->faults));
+    return file;
 }
 
 }  // namespace
 
 Outcome<config::VolumeShape> read_volume_shape(const VolumeFile& volume) {
-    return with_cut<config::VolumeShape>(
-        volume, VolumePart::shape,
-        [&](const Cut& cut, const FileVoxels&) { return shape_of(volume, cut); });
+    Outcome<FileVoxels> file = open_cut(volume, VolumePart::shape);
+    if (!file.value) return {{}, std::move(file.diagnostics)};
+    return {shape_of(volume, *file.value), std::move(file.diagnostics)};
 }
 
 Outcome<SourceVoxels> open_volume(const VolumeFile& volume) {
-    return with_cut<SourceVoxels>(volume, VolumePart::voxels, [&](const Cut& cut, FileVoxels file) {
-        const config::VolumeShape shape = shape_of(volume, cut);
-        const auto scaled = [&](float value) { return static_cast<float>(value * volume.scale); };
-        SourceVoxels source{shape.size, shape.voxel_size_m, nullptr, scaled(file.background),
-                            scaled(file.largest)};
-        source.voxels = std::make_shared<PlacedVoxels>(volume, cut, std::move(file));
-        return source;
-    });
+    Outcome<FileVoxels> file = open_cut(volume, VolumePart::voxels);
+    if (!file.value) return {{}, std::move(file.diagnostics)};
+    const config::VolumeShape shape = shape_of(volume, *file.value);
+    // A turn by 90 degrees about x makes y the third axis. An exchange alone would mirror the cloud.
+    const IndexAxes y_up{{0, 2, 1}, {false, true, false}};
+    if (volume.up_axis == VolumeUp::y) turn_to_space(y_up, *file.value);
+    const float background = file.value->background;
+    const float largest = file.value->largest;
+    const auto placed = std::make_shared<PlacedVoxels>(volume, std::move(*file.value));
+    return {SourceVoxels{shape.size, shape.voxel_size_m, placed, placed->scaled(background),
+                         placed->scaled(largest)},
+            std::move(file.diagnostics)};
 }
 
 }  // namespace skybake

@@ -13,23 +13,21 @@ namespace {
 config::Outcome<bool> write_bin_file(const FileContent& content,
                                      const std::filesystem::path& path) {
     FileOutput output(path);
-    const bool complete = write_texels(content, content.level, TexelPadding::none, output);
+    const bool complete = write_texels(content, content.level, texel_sink(output));
     return output.finished(complete);
 }
 
-config::Outcome<bool> read_bin_file(const std::filesystem::path& path, const FileShape& shape, int,
+config::Outcome<bool> read_bin_file(FileInput& file, const FileShape& shape, int,
                                     const VoxelVisitor& visit) {
-    config::Outcome<FileInput> file = FileInput::open(path);
-    if (!file.value) return {{}, std::move(file.diagnostics)};
-    const StoredTexelRange range = {0, shape.size, shape.channels, shape.channels,
-                                    shape.pixel_type};
-    if (file.value->size() != range.bytes()) {
-        return file_error("E0304", path.string(),
-                          fmt::format("`{}` has {} bytes, but {} x {} x {} voxels take {}",
-                                      path.string(), file.value->size(), shape.size[0],
-                                      shape.size[1], shape.size[2], range.bytes()));
+    const StoredTexelRange texels = {shape.size, shape.channels, shape.channels, shape.pixel_type};
+    if (file.size() != texels.bytes()) {
+        const std::string path = file.path().string();
+        return file_error(
+            "E0304", path,
+            fmt::format("`{}` has {} bytes, but {} x {} x {} voxels take {}", path, file.size(),
+                        shape.size[0], shape.size[1], shape.size[2], texels.bytes()));
     }
-    return read_texels(*file.value, range, visit);
+    return read_texels(texel_input(file, 0), texels, visit);
 }
 
 }  // namespace

@@ -246,30 +246,29 @@ std::optional<std::string> strange(const Header& header) {
     return std::nullopt;
 }
 
-Outcome<Header> read_header(FileInput& file, const fs::path& path) {
+Outcome<Header> read_header(FileInput& file) {
     Header header;
     const auto done = file.read(0, reinterpret_cast<char*>(&header), sizeof header);
     if (!done) return file.diagnostic();
-    if (*done < header.bytes()) return damaged_file(path, "DDS", "it ends within its header");
+    if (*done < header.bytes())
+        return damaged_file(file.path(), "DDS", "it ends within its header");
     if (const auto kind = texel_kind(d3d, header.four_characters)) {  // what DX10 would say
         header.dxgi_format = texel_code(dxgi, kind->type, kind->channels);
         header.dimension = texture_2d;
         header.miscellaneous = header.capabilities_2 == is_cube_of_six_faces ? is_texture_cube : 0;
         header.array_size = 1;
     }
-    if (const auto reason = strange(header)) return damaged_file(path, "DDS", *reason);
+    if (const auto reason = strange(header)) return damaged_file(file.path(), "DDS", *reason);
     return {header, {}};
 }
 
-Outcome<FileFacts> inspect_dds(const fs::path& path) {
-    Outcome<FileInput> file = FileInput::open(path);
-    if (!file.value) return {{}, std::move(file.diagnostics)};
-    const Outcome<Header> header = read_header(*file.value, path);
+Outcome<FileFacts> inspect_dds(FileInput& file) {
+    const Outcome<Header> header = read_header(file);
     if (!header.value) return {{}, header.diagnostics};
     FileFacts facts;
     const auto kind = texel_kind(dxgi, header.value->dxgi_format);
     if (!kind) {
-        return damaged_file(path, "DDS",
+        return damaged_file(file.path(), "DDS",
                             fmt::format("its DXGI format is {}", header.value->dxgi_format));
     }
     facts.pixel_type = kind->type;
@@ -295,18 +294,16 @@ bool fits(const Header& header, const FileShape& shape) {
            header.dxgi_format == texel_code(dxgi, shape.pixel_type, shape.channels);
 }
 
-Outcome<bool> read_dds_file(const fs::path& path, const FileShape& shape, int level,
+Outcome<bool> read_dds_file(FileInput& file, const FileShape& shape, int level,
                             const VoxelVisitor& visit) {
-    Outcome<FileInput> file = FileInput::open(path);
-    if (!file.value) return {{}, std::move(file.diagnostics)};
-    const Outcome<Header> header = read_header(*file.value, path);
+    const Outcome<Header> header = read_header(file);
     if (!header.value) return {{}, header.diagnostics};
-    if (!fits(*header.value, shape)) return other_size(path);
+    if (!fits(*header.value, shape)) return other_size(file.path());
     const FacePlaces wanted = face_places(shape, *header.value)[static_cast<std::size_t>(level)];
     const std::uint64_t bytes = wanted.face * parts_of(extent_of(*header.value, shape.parts));
-    if (file.value->size() != header.value->bytes() + bytes) return other_size(path);
-    return read_texture(face_input(*file.value, wanted), wanted.size, shape.pixel_type,
-                        shape.channels, visit);
+    if (file.size() != header.value->bytes() + bytes) return other_size(file.path());
+    return read_texture(face_input(file, wanted), wanted.size, shape.pixel_type, shape.channels,
+                        visit);
 }
 
 }  // namespace

@@ -103,8 +103,7 @@ class ExrChunks::Deflate {
 ExrChunks::ExrChunks(const ExrFacts& facts)
     : facts_(facts),
       chunk_rows_(rows_of_exr_chunk(facts.compression)),
-      channel_bytes_(static_cast<std::size_t>(facts.width) *
-                     static_cast<std::size_t>(bytes_per_value(facts.pixel_type))),
+      channel_bytes_(static_cast<std::size_t>(facts.width) * bytes_per_value(facts.pixel_type)),
       row_bytes_(channel_bytes_ * facts.channel_names.size()),
       file_order_(order_in_file(facts.channel_names)) {}
 

@@ -37,8 +37,6 @@ Outcome<bool> write_exr_file(const FileContent& content, const fs::path& path) {
     const Baked& baked = content.baked;
     if (const auto reason = exr_obstacle(baked, content.level)) return contradiction(path, *reason);
     FileOutput output(path);
-    bool complete = false;
-    std::string reason;
     try {
         SheetWriter sheet(baked, content.level, content.threads, content.progress);
         const ExrFacts facts = {sheet.width(),       sheet.height(),
@@ -50,26 +48,25 @@ Outcome<bool> write_exr_file(const FileContent& content, const fs::path& path) {
         const auto piece = [&](int slot) -> ExrPiece& {
             return pieces[static_cast<std::size_t>(slot)];
         };
-        complete = sheet.write([&](const SheetRows&, int slot) { file.put(piece(slot)); },
-                               [&](const SheetRows& rows, int slot) {
-                                   chunks.pack(rows, sheet.threads_per_box(), piece(slot));
-                               });
+        const bool complete =
+            sheet.write([&](const SheetRows&, int slot) { file.put(piece(slot)); },
+                        [&](const SheetRows& rows, int slot) {
+                            chunks.pack(rows, sheet.threads_per_box(), piece(slot));
+                        });
         if (complete) file.finish();
+        return output.finished(complete);
     } catch (const std::exception& error) {
-        reason = error.what();
+        if (!output.finish()) return output.diagnostic();
+        return contradiction(path,
+                             fmt::format("OpenEXR cannot encode the image: {}", error.what()));
     }
-    if (!output.finish()) return output.diagnostic();
-    if (!reason.empty()) {
-        return contradiction(path, fmt::format("OpenEXR cannot encode the image: {}", reason));
-    }
-    return {complete, {}};
 }
 
-Outcome<FileFacts> inspect_exr(const fs::path& path) {
-    const Outcome<ExrRows> image = ExrRows::open(path);
+Outcome<FileFacts> inspect_exr(FileInput& file) {
+    const Outcome<ExrRows> image = ExrRows::open(file.path());
     if (!image.value) return {{}, image.diagnostics};
     const std::string& window = image.value->facts().window;
-    if (!window.empty()) return damaged_exr(path.string(), "it is cropped to " + window);
+    if (!window.empty()) return damaged_exr(file.path().string(), "it is cropped to " + window);
     FileFacts facts;
     facts.pixel_type = image.value->facts().pixel_type;
     facts.names = image.value->facts().channel_names;
@@ -82,14 +79,14 @@ Outcome<FileFacts> inspect_exr(const fs::path& path) {
     return {std::move(facts), {}};
 }
 
-Outcome<bool> read_exr_file(const fs::path& path, const FileShape& shape, int,
+Outcome<bool> read_exr_file(FileInput& file, const FileShape& shape, int,
                             const VoxelVisitor& visit) {
-    Outcome<ExrRows> image = ExrRows::open(path);
+    Outcome<ExrRows> image = ExrRows::open(file.path());
     if (!image.value) return {{}, std::move(image.diagnostics)};
     const RowSource rows = rows_of(*image.value);
     const std::array<std::int64_t, 2> size = {rows.width, rows.height};
     if (size != image_size(shape.size, shape.grid) || rows.channels != shape.channels) {
-        return other_size(path);
+        return other_size(file.path());
     }
     return read_sheet(rows, shape.size, shape.grid, visit);
 }

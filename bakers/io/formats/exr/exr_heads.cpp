@@ -39,25 +39,6 @@ std::array<int, 4> window_of(const Imath::Box2i& box) {
     return {box.min.x, box.min.y, box.max.x, box.max.y};
 }
 
-ExrPartHead part_of(const Imf::Header& header, int version) {
-    ExrPartHead part;
-    if (header.hasName()) part.name = header.name();
-    part.kind = kind_of(header, version);
-    part.compression = codec_name(header);
-    part.data_window = window_of(header.dataWindow());
-    part.display_window = window_of(header.displayWindow());
-    constexpr std::array types = {"uint", "half", "float"};
-    for (auto one = header.channels().begin(); one != header.channels().end(); ++one) {
-        const Imf::Channel& channel = one.channel();
-        const auto type = static_cast<std::size_t>(channel.type);
-        part.channels.push_back({one.name(),
-                                 type < types.size() ? types[type] : "unknown",
-                                 {channel.xSampling, channel.ySampling}});
-    }
-    part.attributes = header_texts(header);
-    return part;
-}
-
 constexpr std::string_view own_names = "skybake/";
 
 // Whether a byte is the second or a later one of a character of UTF-8.
@@ -115,6 +96,25 @@ void append_as_they_are(const std::string& name, const Pieces& pieces, Attribute
 }
 
 }  // namespace
+
+ExrPartHead part_of(const Imf::Header& header, int version) {
+    ExrPartHead part;
+    if (header.hasName()) part.name = header.name();
+    part.kind = kind_of(header, version);
+    part.compression = codec_name(header);
+    part.data_window = window_of(header.dataWindow());
+    part.display_window = window_of(header.displayWindow());
+    constexpr std::array types = {"uint", "half", "float"};
+    for (auto one = header.channels().begin(); one != header.channels().end(); ++one) {
+        const Imf::Channel& channel = one.channel();
+        const auto type = static_cast<std::size_t>(channel.type);
+        part.channels.push_back({one.name(),
+                                 type < types.size() ? types[type] : "unknown",
+                                 {channel.xSampling, channel.ySampling}});
+    }
+    part.attributes = header_texts(header);
+    return part;
+}
 
 config::Outcome<std::vector<ExrPartHead>> read_exr_heads(const std::filesystem::path& path) {
     config::Outcome<FileInput> input = FileInput::open(path);

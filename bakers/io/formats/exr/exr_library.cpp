@@ -5,14 +5,15 @@
 #include <ImfFrameBuffer.h>
 #include <ImfOutputFile.h>
 #include <ImfPartType.h>
+#include <ImfStdIO.h>
 #include <ImfStringAttribute.h>
 #include <ImfTileDescription.h>
 #include <ImfVersion.h>
+#include <ImfXdr.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -58,9 +59,7 @@ constexpr std::array<Codec, Imf::NUM_COMPRESSION_METHODS> codecs = {{
 }};
 
 std::size_t codec_of(Compression compression) {
-    const auto found =
-        std::find_if(codecs.begin(), codecs.end(),
-                     [compression](const Codec& codec) { return codec.ours == compression; });
+    const auto found = std::ranges::find(codecs, compression, &Codec::ours);
     return static_cast<std::size_t>(found - codecs.begin());
 }
 
@@ -80,40 +79,14 @@ std::vector<std::string> texel_order(std::vector<std::string> names) {
     return is_of_colours ? order : names;
 }
 
-std::optional<std::string> unknown_channels(const Imf::ChannelList& channels) {
-    for (auto channel = channels.begin(); channel != channels.end(); ++channel) {
-        if (channel.channel().xSampling != 1 || channel.channel().ySampling != 1) {
-            return fmt::format("its channel `{}` is subsampled ({} x {})",
-                               config::printable(channel.name()), channel.channel().xSampling,
-                               channel.channel().ySampling);
-        }
-        if (channel.channel().type == Imf::UINT) return "integer channels are not read";
+std::optional<std::string> unknown_channels(const ExrPartHead& part) {
+    if (const std::string subsampled = subsampled_channel({part}); !subsampled.empty()) {
+        return subsampled;
     }
-    if (channels.begin() == channels.end()) return "it has no channels";
-    return std::nullopt;
-}
-
-// A file in memory.
-class MemoryFile : public Imf::OStream {
-  public:
-    MemoryFile() : Imf::OStream("memory") {}
-    void write(const char bytes[], int count) override {
-        const auto size = static_cast<std::size_t>(count);
-        if (position_ + size > bytes_.size()) bytes_.resize(position_ + size);
-        std::memcpy(bytes_.data() + position_, bytes, size);
-        position_ += size;
-    }
-    uint64_t tellp() override { return position_; }
-    void seekp(uint64_t position) override { position_ = static_cast<std::size_t>(position); }
-    const std::string& bytes() const { return bytes_; }
-
-  private:
-    std::string bytes_;
-    std::size_t position_ = 0;
-};
-
-void write_integer(std::int32_t value, Imf::OStream& stream) {
-    stream.write(std::bit_cast<std::array<char, 4>>(value).data(), 4);
+    if (part.channels.empty()) return "it has no channels";
+    const bool has_integers = std::ranges::any_of(
+        part.channels, [](const ExrChannelHead& channel) { return channel.type == "uint"; });
+    return has_integers ? std::optional("integer channels are not read") : std::nullopt;
 }
 
 // Whether a name is so long that old readers could not hold it. Files must say so.
@@ -141,10 +114,10 @@ std::string read_name(Imf::IStream& stream) {
     throw std::runtime_error("a name in its header has no end");
 }
 
-std::int32_t read_integer(Imf::IStream& stream) {
-    std::array<char, 4> bytes{};
-    stream.read(bytes.data(), 4);
-    return std::bit_cast<std::int32_t>(bytes);
+int read_integer(Imf::IStream& stream) {
+    int value = 0;
+    Imf::Xdr::read<Imf::StreamIO>(stream, value);
+    return value;
 }
 
 // Walks over the attributes to the end of the header. Returns the first one that claims more bytes
@@ -235,11 +208,12 @@ Imf::Header make_exr_header(const ExrFacts& facts) {
 
 std::string exr_file_head(const Imf::Header& header) {
     header.sanityCheck();
-    MemoryFile file;
-    write_integer(Imf::MAGIC, file);
-    write_integer(Imf::EXR_VERSION | (has_long_names(header) ? Imf::LONG_NAMES_FLAG : 0), file);
+    Imf::StdOSStream file;
+    Imf::Xdr::write<Imf::StreamIO>(file, Imf::MAGIC);
+    Imf::Xdr::write<Imf::StreamIO>(
+        file, Imf::EXR_VERSION | (has_long_names(header) ? Imf::LONG_NAMES_FLAG : 0));
     header.writeTo(file);
-    return file.bytes();
+    return file.str();
 }
 
 int rows_of_exr_chunk(Compression compression) { return codecs[codec_of(compression)].rows; }
@@ -258,14 +232,14 @@ std::string chunk_of_library(const ExrFacts& facts, int rows, const std::string&
                                                  value, row_bytes));
         from += channel_bytes;
     }
-    MemoryFile file;
+    Imf::StdOSStream file;
     {
         Imf::OutputFile image(file, header, 0);  // 0: no further threads
         image.setFrameBuffer(buffer);
         image.writePixels(rows);
     }
     constexpr std::size_t position_and_chunk_head = 8 + 4 + 4;
-    return file.bytes().substr(exr_file_head(header).size() + position_and_chunk_head);
+    return file.str().substr(exr_file_head(header).size() + position_and_chunk_head);
 }
 
 std::vector<Imf::Header> exr_headers(Imf::IStream& stream, std::uint64_t bytes, int& version) {
@@ -305,7 +279,7 @@ std::optional<std::string> unreadable_header(Imf::IStream& stream, std::uint64_t
     }
     const auto number = static_cast<std::size_t>(part);
     if (number >= headers.size()) return "it has fewer parts";
-    return unknown_channels(headers[number].channels());
+    return unknown_channels(part_of(headers[number], version));
 }
 
 ExrFacts facts_of(const Imf::Header& header) {

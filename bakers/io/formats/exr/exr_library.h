@@ -46,6 +46,9 @@ std::vector<Imf::Header> exr_headers(Imf::IStream& stream, std::uint64_t bytes, 
 // Returns "zip", "dwaa" or "unknown".
 std::string codec_name(const Imf::Header& header);
 
+// Returns the head of a part of a file of this version.
+ExrPartHead part_of(const Imf::Header& header, int version);
+
 // Returns what a part of a file of `bytes` bytes contains that skybake does not read or that the file is
 // too short to hold, in words, or nothing. Call this before the library opens the file, because the
 // library trusts the header and allocates what it claims. The stream is at the file's beginning before

@@ -121,19 +121,17 @@ Outcome<bool> write_f32_file(const FileContent& content, const fs::path& path) {
 
 // Finds the layout whose head the file has; none: another one.
 std::optional<F32Layout> layout_in(FileInput& file, const FileShape& shape) {
-    std::string head(8, '\0');
-    const auto done = file.read(0, head.data(), head.size());
-    if (!done || *done < head.size()) return std::nullopt;
+    const auto head = file_part(file, 0, 8);
+    if (!head) return std::nullopt;
     F32Layout layout = {shape.size, 1, shape.size[2] == 1};
     if (!layout.is_flat) {
-        const int images = static_cast<unsigned char>(head[2]) | static_cast<unsigned char>(head[3])
-                                                                     << 8;
-        if (head != f32_head(layout)) layout.images = images;
+        const auto images = static_cast<int>(little(*head, 2, 2));
+        if (*head != f32_head(layout)) layout.images = images;
         if (layout.images < 1 || shape.size[0] % layout.images != 0) return std::nullopt;
     }
     const std::string wanted = f32_head(layout);
     const std::uint64_t bytes = wanted.size() + layout.texels() * f32_stored * sizeof(float);
-    if (head.substr(0, wanted.size()) != wanted || file.size() != bytes) return std::nullopt;
+    if (!head->starts_with(wanted) || file.size() != bytes) return std::nullopt;
     return layout;
 }
 
@@ -161,17 +159,13 @@ Outcome<bool> read_turned(FileInput& file, const F32Layout& layout, std::size_t 
     return {true, {}};
 }
 
-Outcome<bool> read_f32_file(const fs::path& path, const FileShape& shape, int,
+Outcome<bool> read_f32_file(FileInput& file, const FileShape& shape, int,
                             const VoxelVisitor& visit) {
-    Outcome<FileInput> file = FileInput::open(path);
-    if (!file.value) return {{}, std::move(file.diagnostics)};
-    const auto layout = layout_in(*file.value, shape);
-    if (!layout || shape.channels > f32_stored) return other_size(path);
-    if (layout->is_turned()) return read_turned(*file.value, *layout, shape.channels, visit);
-    return read_texels(
-        *file.value,
-        {f32_head(*layout).size(), shape.size, shape.channels, f32_stored, PixelType::float32},
-        visit);
+    const auto layout = layout_in(file, shape);
+    if (!layout || shape.channels > f32_stored) return other_size(file.path());
+    if (layout->is_turned()) return read_turned(file, *layout, shape.channels, visit);
+    return read_texels(texel_input(file, f32_head(*layout).size()),
+                       {shape.size, shape.channels, f32_stored, PixelType::float32}, visit);
 }
 
 }  // namespace

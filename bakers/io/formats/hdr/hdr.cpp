@@ -65,11 +65,9 @@ std::optional<std::string> entry_behind(FileInput& file) {
     return entry;
 }
 
-Outcome<FileFacts> inspect_hdr(const fs::path& path) {
-    Outcome<FileInput> file = FileInput::open(path);
-    if (!file.value) return {{}, std::move(file.diagnostics)};
+Outcome<FileFacts> inspect_hdr(FileInput& file) {
     constexpr std::uint64_t most_head_bytes = 64;
-    const auto head = file_part(*file.value, 0, std::min(file.value->size(), most_head_bytes));
+    const auto head = file_part(file, 0, std::min(file.size(), most_head_bytes));
     FileFacts facts;
     auto& [width, height] = facts.image_size;
     const std::string first = hdr_head(0, 0);  // but for the size
@@ -80,25 +78,25 @@ Outcome<FileFacts> inspect_hdr(const fs::path& path) {
         width = std::strtoll(next + std::string_view(" +X ").size(), nullptr, 10);
     }
     if (!head || !head->starts_with(hdr_head(width, height))) {
-        return damaged_file(path, "Radiance", "its head is that of another program");
+        return damaged_file(file.path(), "Radiance", "its head is that of another program");
     }
-    auto entry = entry_behind(*file.value);
-    if (!entry) return damaged_file(path, "Radiance", "it ends early");
+    auto entry = entry_behind(file);
+    if (!entry) return damaged_file(file.path(), "Radiance", "it ends early");
     facts.pixel_type = PixelType::rgbe;
     facts.channels = 3;
     facts.metadata = std::move(*entry);
     return {std::move(facts), {}};
 }
 
-Outcome<bool> read_hdr_file(const fs::path& path, const FileShape& shape, int,
+Outcome<bool> read_hdr_file(FileInput& file, const FileShape& shape, int,
                             const VoxelVisitor& visit) {
-    const Outcome<FileFacts> facts = inspect_hdr(path);
+    const Outcome<FileFacts> facts = inspect_hdr(file);
     if (!facts.value) return {{}, facts.diagnostics};
     if (facts.value->image_size != image_size(shape.size, shape.grid) || shape.channels != 3 ||
         shape.pixel_type != PixelType::rgbe) {
-        return other_size(path);
+        return other_size(file.path());
     }
-    const Outcome<HdrPicture> picture = read_hdr_picture(path);
+    const Outcome<HdrPicture> picture = read_hdr_picture(file.path());
     if (!picture.value) return {{}, picture.diagnostics};
     return read_sheet(picture.value->rows, shape.size, shape.grid, visit);
 }

@@ -94,13 +94,11 @@ class Ktx2Writer {
             output_.write(std::string(begin - output_.position(), '\0'));
         }
         place.offset = output_.position();
-        const bool complete = is_compressed() ? write_frame(level) : write_as_it_is(level);
+        const bool complete =
+            is_compressed() ? write_frame(level)
+                            : write_texture(content_, static_cast<int>(level), texel_sink(output_));
         place.bytes = output_.position() - place.offset;
         return complete;
-    }
-
-    bool write_as_it_is(std::size_t level) {
-        return write_texture(content_, static_cast<int>(level), texel_sink(output_));
     }
 
     bool write_frame(std::size_t level) {
@@ -133,46 +131,40 @@ Outcome<bool> write_ktx2_file(const FileContent& content, const fs::path& path) 
 // A file that has been opened, with its header and its index of levels.
 class Ktx2File {
   public:
-    static Outcome<Ktx2File> open(const fs::path& path) {
-        Outcome<FileInput> file = FileInput::open(path);
-        if (!file.value) return {{}, std::move(file.diagnostics)};
-        Ktx2File opened(path, std::move(*file.value));
+    static Outcome<Ktx2File> open(FileInput& file) {
+        Ktx2File opened(file);
         if (const auto problem = opened.read_head()) return *problem;
         return {std::move(opened), {}};
     }
 
     const Ktx2Header& header() const { return header_; }
     const LevelPlace& place(int level) const { return places_[static_cast<std::size_t>(level)]; }
-    FileInput& file() { return file_; }
 
     // Reads a part of the head. Nothing: it is not in the file, or longer than `most`.
     std::optional<std::string> part(std::uint32_t offset, std::uint32_t bytes, std::uint32_t most) {
-        if (bytes > most) return std::nullopt;
-        std::string part(bytes, '\0');
-        const auto done = file_.read(offset, part.data(), bytes);
-        if (!done || *done < bytes) return std::nullopt;
-        return part;
+        return bytes > most ? std::nullopt : file_part(file_, offset, bytes);
     }
 
   private:
-    Ktx2File(const fs::path& path, FileInput file) : path_(path), file_(std::move(file)) {}
+    explicit Ktx2File(FileInput& file) : file_(file) {}
 
     std::optional<config::Diagnostic> read_head() {
         const auto done = file_.read(0, reinterpret_cast<char*>(&header_), sizeof header_);
         if (!done) return file_.diagnostic();
-        if (*done < sizeof header_) return damaged_file(path_, "KTX2", "it ends within its header");
-        if (const auto reason = unread()) return damaged_file(path_, "KTX2", *reason);
+        if (*done < sizeof header_)
+            return damaged_file(file_.path(), "KTX2", "it ends within its header");
+        if (const auto reason = unread()) return damaged_file(file_.path(), "KTX2", *reason);
         places_.resize(header_.levels);
         const std::size_t bytes = places_.size() * sizeof(LevelPlace);
         const auto index =
             file_.read(sizeof header_, reinterpret_cast<char*>(places_.data()), bytes);
         if (!index) return file_.diagnostic();
         if (*index < bytes)
-            return damaged_file(path_, "KTX2", "it ends within its index of levels");
+            return damaged_file(file_.path(), "KTX2", "it ends within its index of levels");
         for (const LevelPlace& place : places_) {
             if (place.offset <= file_.size() && place.bytes <= file_.size() - place.offset)
                 continue;
-            return damaged_file(path_, "KTX2", "a level lies beyond its end");
+            return damaged_file(file_.path(), "KTX2", "a level lies beyond its end");
         }
         return std::nullopt;
     }
@@ -194,35 +186,35 @@ class Ktx2File {
         return std::nullopt;
     }
 
-    fs::path path_;
-    FileInput file_;
+    FileInput& file_;
     Ktx2Header header_;
     std::vector<LevelPlace> places_;
 };
 
-Outcome<FileFacts> inspect_ktx2(const fs::path& path) {
-    Outcome<Ktx2File> file = Ktx2File::open(path);
+Outcome<FileFacts> inspect_ktx2(FileInput& input) {
+    Outcome<Ktx2File> file = Ktx2File::open(input);
     if (!file.value) return {{}, std::move(file.diagnostics)};
     const Ktx2Header& header = file.value->header();
     FileFacts facts;
     const auto kind = ktx2_texels(header.vk_format);
     if (!kind) {
-        return damaged_file(path, "KTX2", fmt::format("its VkFormat is {}", header.vk_format));
+        return damaged_file(input.path(), "KTX2",
+                            fmt::format("its VkFormat is {}", header.vk_format));
     }
     facts.pixel_type = kind->type;
     facts.channels = kind->channels;
     const auto descriptor =
         file.value->part(header.descriptor_offset, header.descriptor_bytes, most_descriptor);
     if (descriptor != data_format_descriptor(*facts.pixel_type, facts.channels)) {
-        return {
-            {},
-            {damaged_file(path, "KTX2", "its data format descriptor is not that of its VkFormat")}};
+        return damaged_file(input.path(), "KTX2",
+                            "its data format descriptor is not that of its VkFormat");
     }
     const auto values = file.value->part(header.values_offset, header.values_bytes, most_values);
-    if (!values) return damaged_file(path, "KTX2", "it ends within its keys and values");
+    if (!values) return damaged_file(input.path(), "KTX2", "it ends within its keys and values");
     const std::string_view wanted = ktx2_orientation(header);
     if (ktx2_value(*values, "KTXorientation") != wanted) {
-        return damaged_file(path, "KTX2", fmt::format("its KTXorientation is not {}", wanted));
+        return damaged_file(input.path(), "KTX2",
+                            fmt::format("its KTXorientation is not {}", wanted));
     }
     facts.metadata = ktx2_value(*values, metadata_name).value_or("");
     facts.compression = to_string(header.compression == zstandard ? config::Ktx2Compression::zstd
@@ -238,32 +230,30 @@ bool fits_ktx2(const Ktx2Header& header, const FileShape& shape) {
                                           static_cast<std::size_t>(shape.levels));
     return has_square_faces(shape.size, shape.levels, shape.parts) &&
            header.vk_format == wanted.vk_format && header.type_size == wanted.type_size &&
-           header.width == wanted.width && header.height == wanted.height &&
-           header.depth == wanted.depth && header.layers == wanted.layers &&
-           header.faces == wanted.faces && header.levels == wanted.levels;
+           header.extent() == extent && header.levels == wanted.levels;
 }
 
-Outcome<bool> read_ktx2_file(const fs::path& path, const FileShape& shape, int level,
+Outcome<bool> read_ktx2_file(FileInput& input, const FileShape& shape, int level,
                              const VoxelVisitor& visit) {
-    Outcome<Ktx2File> file = Ktx2File::open(path);
+    Outcome<Ktx2File> file = Ktx2File::open(input);
     if (!file.value) return {{}, std::move(file.diagnostics)};
     const Ktx2Header& header = file.value->header();
-    if (!fits_ktx2(header, shape)) return other_size(path);
+    if (!fits_ktx2(header, shape)) return other_size(input.path());
     const LevelPlace& place = file.value->place(level);
     std::array<int, 3> size = shape.size;
     for (int i = 0; i < level; ++i) size = next_texture_size(size, shape.parts);
     const std::uint64_t bytes = texture_bytes(size, shape.pixel_type, shape.channels);
     const bool is_compressed = header.compression == zstandard;
     if (place.uncompressed_bytes != bytes || (!is_compressed && place.bytes != bytes)) {
-        return other_size(path);
+        return other_size(input.path());
     }
     if (!is_compressed) {
-        return read_texture(texel_input(file.value->file(), place.offset), size, shape.pixel_type,
+        return read_texture(texel_input(input, place.offset), size, shape.pixel_type,
                             shape.channels, visit);
     }
-    ZstdReader frame(file.value->file(), place.offset, place.bytes);
+    ZstdReader frame(input, place.offset, place.bytes);
     const config::Diagnostic problem =
-        damaged_file(path, "KTX2", "its Zstandard stream is damaged");
+        damaged_file(input.path(), "KTX2", "its Zstandard stream is damaged");
     const auto next = [&](char* to, std::size_t count) -> std::optional<config::Diagnostic> {
         if (frame.read(to, count)) return std::nullopt;
         return problem;

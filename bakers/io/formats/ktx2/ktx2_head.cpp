@@ -40,7 +40,7 @@ constexpr std::uint8_t is_float = 0x80;
 // Returns the parts of a texel of numbers, in the order red, green, blue, alpha.
 std::vector<Sample> samples_of_numbers(PixelType type, std::size_t stored) {
     constexpr std::array<std::uint8_t, 4> channels = {0, 1, 2, 15};
-    const auto bits = static_cast<std::size_t>(8 * bytes_per_value(type));
+    const std::size_t bits = 8 * bytes_per_value(type);
     const bool is_unorm = type == PixelType::unorm8 || type == PixelType::unorm16;
     std::vector<Sample> samples;
     for (std::size_t i = 0; i < stored; ++i) {
@@ -142,8 +142,8 @@ Ktx2Header ktx2_header(const TextureExtent& extent, std::size_t stored, PixelTyp
                        std::size_t levels) {
     Ktx2Header header;
     header.vk_format = texel_code(vulkan, type, stored);
-    const int number = config::is_block_coded(type) ? 1 : bytes_per_value(type);
-    header.type_size = static_cast<std::uint32_t>(number);
+    header.type_size =
+        config::is_block_coded(type) ? 1 : static_cast<std::uint32_t>(bytes_per_value(type));
     header.width = extent.width;
     header.height = extent.height;
     header.depth = extent.depth;

@@ -35,6 +35,8 @@ struct Ktx2Header {
     std::uint32_t values_bytes = 0;
     std::uint64_t globals_offset = 0;
     std::uint64_t globals_bytes = 0;
+
+    TextureExtent extent() const { return {width, height, depth, faces, layers}; }
 };
 static_assert(sizeof(Ktx2Header) == 80);
 

@@ -30,8 +30,7 @@ constexpr std::array<NpyType, 4> npy_types = {{{PixelType::float32, "<f4"},
 // Returns what stands before the texels, padded to a multiple of 64 bytes.
 std::string npy_head(const std::array<int, 3>& size, bool is_flat, std::size_t channels,
                      PixelType type) {
-    const auto row = std::find_if(npy_types.begin(), npy_types.end(),
-                                  [type](const NpyType& entry) { return entry.type == type; });
+    const auto row = std::ranges::find(npy_types, type, &NpyType::type);
     const std::string slices = is_flat ? "" : fmt::format("{}, ", size[2]);
     std::string text =
         fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': ({}{}, {}, {}), }}",
@@ -50,27 +49,25 @@ Outcome<bool> write_npy_file(const FileContent& content, const fs::path& path) {
     FileOutput output(path);
     output.write(npy_head(baked.levels[static_cast<std::size_t>(content.level)].size,
                           baked.is_table(), baked.channel_names.size(), baked.pixel_type));
-    const bool complete = write_texels(content, content.level, TexelPadding::none, output);
+    const bool complete = write_texels(content, content.level, texel_sink(output));
     return output.finished(complete);
 }
 
 // A file of another program may say the same in other words; skybake reads its own.
-Outcome<bool> read_npy_file(const fs::path& path, const FileShape& shape, int,
+Outcome<bool> read_npy_file(FileInput& file, const FileShape& shape, int,
                             const VoxelVisitor& visit) {
-    Outcome<FileInput> file = FileInput::open(path);
-    if (!file.value) return {{}, std::move(file.diagnostics)};
     for (const bool is_flat : {false, true}) {
         const std::string head = npy_head(shape.size, is_flat, shape.channels, shape.pixel_type);
         std::string found(head.size(), '\0');
-        const auto done = file.value->read(0, found.data(), found.size());
-        if (!done) return file.value->diagnostic();
+        const auto done = file.read(0, found.data(), found.size());
+        if (!done) return file.diagnostic();
         if (found != head || (is_flat && shape.size[2] != 1)) continue;
-        const StoredTexelRange range = {head.size(), shape.size, shape.channels, shape.channels,
-                                        shape.pixel_type};
-        if (file.value->size() != range.offset + range.bytes()) break;
-        return read_texels(*file.value, range, visit);
+        const StoredTexelRange texels = {shape.size, shape.channels, shape.channels,
+                                         shape.pixel_type};
+        if (file.size() != head.size() + texels.bytes()) break;
+        return read_texels(texel_input(file, head.size()), texels, visit);
     }
-    return other_size(path);
+    return other_size(file.path());
 }
 
 }  // namespace

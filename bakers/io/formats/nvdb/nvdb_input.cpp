@@ -9,8 +9,6 @@
 #include <new>
 #include <string>
 
-#include "bakers/io/formats/format.h"
-
 namespace skybake {
 
 namespace {
@@ -41,7 +39,12 @@ std::unique_ptr<char[]> inflated_stream(std::string_view stream, std::size_t byt
 
 }  // namespace
 
-NvdbInput::NvdbInput(FileInput file) : file_(std::move(file)) { read_heads(); }
+NvdbInput::NvdbInput(FileInput file) : file_(std::move(file)) {
+    std::uint64_t offset = 0;
+    do {
+        offset = read_segment(offset);
+    } while (offset < file_.size());
+}
 
 void NvdbInput::read(std::uint64_t offset, void* bytes, std::size_t count) {
     const auto next = inflated_.upper_bound(offset);
@@ -54,13 +57,6 @@ void NvdbInput::read(std::uint64_t offset, void* bytes, std::size_t count) {
     }
     const auto done = file_.read(offset, static_cast<char*>(bytes), count);
     expect_nvdb(done && *done == count, "it ends early");
-}
-
-void NvdbInput::read_heads() {
-    std::uint64_t offset = 0;
-    do {
-        offset = read_segment(offset);
-    } while (offset < file_.size());
 }
 
 // Returns the offset behind its grids.
@@ -193,7 +189,7 @@ std::uint64_t checked_nvdb_offset(const NvdbGrid& grid, std::uint64_t from, std:
 }
 
 void read_nvdb_leaf(NvdbInput& file, nanovdb::GridType type, std::uint64_t offset,
-                    std::vector<NvdbUnit>& memory, NvdbLeafValues& values) {
+                    std::vector<NvdbUnit>& memory, LeafValues& values) {
     memory.resize(nvdb_aligned(nvdb_leaf_bytes(type)) / sizeof(NvdbUnit));
     file.read(offset, memory.data(), nvdb_leaf_bytes(type));
     const auto decode = [&]<class Build>(Build) {

@@ -19,7 +19,9 @@
 #include <vector>
 
 #include "bakers/io/files/file_io.h"
+#include "bakers/io/formats/format.h"
 #include "bakers/io/formats/nvdb/nvdb_layout.h"
+#include "bakers/io/volumes/grid_voxels.h"
 #include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
@@ -43,8 +45,6 @@ struct NvdbGrid {
 
 // "float", "vec3f", "mask", as the library calls them; "type 27" of one that it does not know.
 std::string nvdb_type_name(nanovdb::GridType type);
-
-using NvdbLeafValues = std::array<float, nvdb_leaf_voxels>;  // z fastest, then y, then x
 
 // A file that has been opened, with the heads of its grids, of one or several segments.
 class NvdbInput {
@@ -76,7 +76,6 @@ class NvdbInput {
     std::string description();
 
   private:
-    void read_heads();
     std::uint64_t read_segment(std::uint64_t offset);
     std::uint64_t read_head(std::uint64_t offset);
     void inflate(const NvdbGrid& grid);
@@ -100,7 +99,7 @@ constexpr std::array<int, 3> nvdb_place(std::uint32_t i, int log2_edge) {
 
 // Reads the values of a leaf, whether they are active or not. `memory` keeps the leaf.
 void read_nvdb_leaf(NvdbInput& file, nanovdb::GridType type, std::uint64_t offset,
-                    std::vector<NvdbUnit>& memory, NvdbLeafValues& values);
+                    std::vector<NvdbUnit>& memory, LeafValues& values);
 
 // Returns what `work` returns of the file's NvdbInput, E0300 if the file cannot be read, or E0304 with
 // the reason of an NvdbDamage.
@@ -112,10 +111,7 @@ config::Outcome<T> with_nvdb_file(const std::filesystem::path& path, const Work&
         NvdbInput opened(std::move(*file.value));
         return work(opened);
     } catch (const NvdbDamage& damage) {
-        const std::string name = path.string();
-        return file_error(
-            "E0304", name,
-            fmt::format("skybake cannot read `{}` as a NanoVDB file: {}", name, damage.reason));
+        return damaged_file(path, "NanoVDB", damage.reason);
     }
 }
 

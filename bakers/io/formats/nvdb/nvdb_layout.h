@@ -88,11 +88,4 @@ constexpr std::size_t nvdb_leaf_bytes(nanovdb::GridType type) {
     }
 }
 
-// Returns the place of a child in its parent's table, from its place along each axis.
-constexpr std::uint32_t nvdb_child(const std::array<int, 3>& place, int log2_edge) {
-    const int mask = (1 << log2_edge) - 1;
-    return static_cast<std::uint32_t>(((place[0] & mask) << 2 * log2_edge) |
-                                      ((place[1] & mask) << log2_edge) | (place[2] & mask));
-}
-
 }  // namespace skybake

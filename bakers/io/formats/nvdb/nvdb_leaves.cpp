@@ -6,14 +6,15 @@
 
 #include "bakers/field/baked.h"
 #include "bakers/field/pixel_type.h"
+#include "bakers/field/voxel_index.h"
 
 namespace skybake {
 namespace {
 
 // The voxels of a leaf in its order: z fastest, then y, then x. Those outside of the volume are 0.
 struct LeafBlock {
-    float* values = nullptr;                           // nvdb_leaf_voxels of them
-    std::array<std::uint64_t, nvdb_leaf_edge> active;  // of each x; bit 8 y + z
+    float* values = nullptr;  // nvdb_leaf_voxels of them
+    VdbLeafMask active;
 
     bool is_all_active() const {
         return std::all_of(active.begin(), active.end(),
@@ -28,13 +29,9 @@ void gather_leaf(const VoxelBox& box, const float* values, const std::array<int,
     for (std::size_t a = 0; a < 3; ++a) count[a] = std::min(nvdb_leaf_edge, box.size[a] - at[a]);
     if (count != std::array{nvdb_leaf_edge, nvdb_leaf_edge, nvdb_leaf_edge})
         std::fill_n(leaf.values, nvdb_leaf_voxels, 0.0F);
-    const auto width = static_cast<std::size_t>(box.size[0]);
     for (int z = 0; z < count[2]; ++z) {
         for (int y = 0; y < count[1]; ++y) {
-            const auto line =
-                static_cast<std::size_t>(at[2] + z) * static_cast<std::size_t>(box.size[1]) +
-                static_cast<std::size_t>(at[1] + y);
-            const float* row = values + line * width + static_cast<std::size_t>(at[0]);
+            const float* row = values + index_in({{}, box.size}, {at[0], at[1] + y, at[2] + z});
             float* column = leaf.values + nvdb_leaf_edge * y + z;
             if (count[0] == nvdb_leaf_edge) {
                 for (int x = 0; x < nvdb_leaf_edge; ++x) column[x * 64] = row[x];
@@ -43,11 +40,7 @@ void gather_leaf(const VoxelBox& box, const float* values, const std::array<int,
             }
         }
     }
-    for (int x = 0; x < nvdb_leaf_edge; ++x) {
-        std::uint64_t line = 0;
-        for (int y = 0; y < count[1]; ++y) line |= ((1ULL << count[2]) - 1) << 8 * y;
-        leaf.active[static_cast<std::size_t>(x)] = x < count[0] ? line : 0;
-    }
+    leaf.active = voxels_within(count);
 }
 
 // Keeps the voxels active that are not 0.
@@ -103,29 +96,6 @@ void add_extremes(const LeafBlock& leaf, NvdbActive& active) {
     active.largest = *std::max_element(extremes.largest.begin(), extremes.largest.end());
 }
 
-// Summarizes the active voxels of a leaf that has some.
-NvdbActive leaf_summary(const LeafBlock& leaf, const std::array<int, 3>& origin) {
-    NvdbActive active;
-    std::uint64_t any = 0;
-    for (int x = 0; x < nvdb_leaf_edge; ++x) {
-        const std::uint64_t plane = leaf.active[static_cast<std::size_t>(x)];
-        if (plane == 0) continue;
-        active.first[0] = std::min(active.first[0], origin[0] + x);
-        active.last[0] = origin[0] + x;
-        active.voxels += static_cast<std::uint64_t>(std::popcount(plane));
-        any |= plane;
-    }
-    std::uint64_t depth = any | any >> 32;  // bits 0 to 7 become those of z
-    depth |= depth >> 16;
-    depth = (depth | depth >> 8) & 0xFF;
-    active.first[1] = origin[1] + std::countr_zero(any) / 8;
-    active.last[1] = origin[1] + 7 - std::countl_zero(any) / 8;
-    active.first[2] = origin[2] + std::countr_zero(depth);
-    active.last[2] = origin[2] + 63 - std::countl_zero(depth);
-    add_extremes(leaf, active);
-    return active;
-}
-
 using Leaf = NvdbLeaf<float>;
 
 // Fills in all but the values.
@@ -161,9 +131,11 @@ void make_leaves(const Baked& volume, const VoxelBox& part, int column, NvdbSlot
                 gather_leaf(part, slot.values.data(), at, block);
                 if (volume.sparse && is_all_zero(block)) continue;
                 if (volume.sparse) drop_zeros(block);
-                const NvdbActive active = leaf_summary(
-                    block,
-                    {part.origin[0] + at[0], part.origin[1] + at[1], part.origin[2] + at[2]});
+                NvdbActive active;
+                active.VdbActiveVoxels::add(
+                    {part.origin[0] + at[0], part.origin[1] + at[1], part.origin[2] + at[2]},
+                    block.active);
+                add_extremes(block, active);
                 store_leaf_head(block, active, leaf);
                 const int child = (column * leaves_along + y) * leaves_along + z;
                 slot.node.children[static_cast<std::size_t>(child / 64)] |= 1ULL << child % 64;
@@ -198,13 +170,9 @@ void make_node(const Baked& volume, const VoxelSource& voxels, std::size_t chann
 }  // namespace
 
 void NvdbActive::add(const NvdbActive& part) {
-    for (std::size_t a = 0; a < 3; ++a) {
-        first[a] = std::min(first[a], part.first[a]);
-        last[a] = std::max(last[a], part.last[a]);
-    }
+    VdbActiveVoxels::add(part);
     least = std::min(least, part.least);
     largest = std::max(largest, part.largest);
-    voxels += part.voxels;
 }
 
 void make_nvdb_leaves(const Baked& volume, const Level& level, std::size_t channel,

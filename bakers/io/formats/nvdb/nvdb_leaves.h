@@ -11,6 +11,7 @@
 
 #include "bakers/field/level.h"
 #include "bakers/io/formats/nvdb/nvdb_layout.h"
+#include "bakers/io/formats/vdb/vdb_tree.h"
 #include "bakers/math/memory.h"
 
 namespace skybake {
@@ -18,13 +19,9 @@ namespace skybake {
 struct Baked;
 
 // The active voxels of some nodes.
-struct NvdbActive {
-    std::array<int, 3> first = {std::numeric_limits<int>::max(), std::numeric_limits<int>::max(),
-                                std::numeric_limits<int>::max()};
-    std::array<int, 3> last = {-1, -1, -1};  // inclusive
+struct NvdbActive : VdbActiveVoxels {
     float least = std::numeric_limits<float>::infinity();
     float largest = -std::numeric_limits<float>::infinity();
-    std::uint64_t voxels = 0;
 
     void add(const NvdbActive& part);
 };

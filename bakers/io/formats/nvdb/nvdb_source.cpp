@@ -5,7 +5,6 @@
 #include <limits>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -27,33 +26,29 @@ std::array<int, 3> leaf_of(const VoxelBox& part) {
 
 class NvdbVoxels : public VoxelSource {
   public:
-    // Without a ramp, values stay as the file has them.
-    NvdbVoxels(NvdbInput file, nanovdb::GridType type, NvdbTree tree,
-               std::optional<DensityRamp> density)
+    // Without `makes_densities`, values stay as the file has them.
+    NvdbVoxels(NvdbInput file, nanovdb::GridType type, NvdbTree tree, const DensityRamp& density,
+               bool makes_densities)
         : file_(std::move(file)),
           type_(type),
           tree_(std::move(tree)),
-          makes_densities_(density),
-          density_(density.value_or(DensityRamp())) {}
+          makes_densities_(makes_densities),
+          density_(density) {}
 
     // Decodes every leaf once, for the largest value of the grid and the faults, and makes those tiles
     // that hold only zeros.
     void survey(FileVoxels& voxels) {
-        expect_nvdb(tree_.has_finite_tiles(), "a tile of it is not finite");
-        voxels.largest = std::max(density_(tree_.least_tile()), density_(tree_.largest_tile()));
+        expect_nvdb(tree_.has_finite_tiles, "a tile of it is not finite");
+        voxels.largest = std::max(density_(tree_.least_tile), density_(tree_.largest_tile));
         std::vector<NvdbUnit> memory;
-        NvdbLeafValues values;
-        for (NvdbCube& cube : tree_.leaf_cubes()) {
+        LeafValues values;
+        for (NvdbCube& cube : tree_.cubes[0]) {
             if (cube.leaf == 0) continue;
             read_nvdb_leaf(file_, type_, cube.leaf, memory, values);
-            add_faults(cube, values, voxels.faults);
             expect_in_bounds(cube, memory);
-            for (float& value : values) value = density_of(value);
-            voxels.largest =
-                std::max(voxels.largest, *std::max_element(values.begin(), values.end()));
-            if (std::all_of(values.begin(), values.end(), [](float v) { return v == 0; })) {
-                cube = {cube.corner, 0, 0};
-            }
+            const bool is_zero =
+                survey_leaf(cube.corner, density_, tree_.background, values, voxels);
+            if (is_zero) cube = {cube.corner, 0, 0};
         }
         if (density_.changes()) voxels.faults.negative = {};
     }
@@ -63,7 +58,7 @@ class NvdbVoxels : public VoxelSource {
 
     void fill(const VoxelBox& box, const std::vector<float*>& channels) const override {
         std::vector<NvdbUnit> memory;
-        NvdbLeafValues values;
+        LeafValues values;
         for_cubes(box, nvdb_leaf_edge, [&](const VoxelBox& part) {
             const NvdbCube* cube = tree_.find(leaf_of(part));
             if (cube == nullptr || cube->leaf == 0) {
@@ -72,8 +67,9 @@ class NvdbVoxels : public VoxelSource {
                     part, box, [&](auto) { return value; }, channels[0]);
             } else {
                 read(*cube, memory, values);
+                if (makes_densities_) make_densities(density_, tree_.background, values);
                 copy_leaf(
-                    part, box, [&](auto at) { return density_of(values[at]); }, channels[0]);
+                    part, box, [&](auto at) { return values[at]; }, channels[0]);
             }
             return true;
         });
@@ -90,24 +86,8 @@ class NvdbVoxels : public VoxelSource {
     }
 
   private:
-    // Values that are not finite are taken for the background.
-    float density_of(float value) const {
-        if (!makes_densities_) return value;
-        return density_(std::isfinite(value) ? value : tree_.background());
-    }
-
-    void add_faults(const NvdbCube& cube, const NvdbLeafValues& values, ValueFaults& faults) const {
-        for (std::uint32_t i = 0; i < values.size(); ++i) {
-            if (!ValueFaults::is_fault(values[i]) || values[i] == tree_.background()) continue;
-            const std::array<int, 3> place = nvdb_place(i, 3);
-            std::array<std::int64_t, 3> index{};
-            for (std::size_t a = 0; a < 3; ++a) index[a] = cube.corner[a] + place[a];
-            faults.add(values[i], index);
-        }
-    }
-
     float tile_density(const NvdbCube* cube) const {
-        return density_(cube == nullptr ? tree_.background() : cube->value);
+        return density_(cube == nullptr ? tree_.background : cube->value);
     }
 
     // A leaf with active voxels reaches into the bounds that the root states.
@@ -115,13 +95,13 @@ class NvdbVoxels : public VoxelSource {
         const auto& leaf = *reinterpret_cast<const NvdbLeaf<float>*>(memory.data());
         if (leaf.mValueMask.isOff()) return;
         for (std::size_t a = 0; a < 3; ++a) {
-            expect_nvdb(cube.corner[a] <= tree_.last()[a] &&
-                            cube.corner[a] + nvdb_leaf_edge > tree_.first()[a],
-                        "it has active voxels beyond its bounds");
+            expect_nvdb(
+                cube.corner[a] <= tree_.last[a] && cube.corner[a] + nvdb_leaf_edge > tree_.first[a],
+                "it has active voxels beyond its bounds");
         }
     }
 
-    void read(const NvdbCube& cube, std::vector<NvdbUnit>& memory, NvdbLeafValues& values) const {
+    void read(const NvdbCube& cube, std::vector<NvdbUnit>& memory, LeafValues& values) const {
         const std::lock_guard lock(mutex_);
         try {
             read_nvdb_leaf(file_, type_, cube.leaf, memory, values);
@@ -161,14 +141,14 @@ IndexAxes read_map(const nanovdb::Map& map, FileVoxels& voxels) {
 
 void read_bounds(const NvdbTree& tree, VolumePart part, FileVoxels& voxels) {
     for (std::size_t i = 0; i < 3; ++i) {
-        const std::int64_t size = std::int64_t{tree.last()[i]} - tree.first()[i] + 1;
+        const std::int64_t size = std::int64_t{tree.last[i]} - tree.first[i] + 1;
         if (size <= 0 && part == VolumePart::numbers) {
             voxels.first = voxels.size = {};
             return;
         }
         expect_nvdb(size > 0, "it has no active voxels");
         expect_nvdb(size <= std::numeric_limits<int>::max(), "its active voxels lie too far apart");
-        voxels.first[i] = tree.first()[i];
+        voxels.first[i] = tree.first[i];
         voxels.size[i] = static_cast<int>(size);
     }
 }
@@ -176,7 +156,7 @@ void read_bounds(const NvdbTree& tree, VolumePart part, FileVoxels& voxels) {
 // The half width of a level set's band (vdb_grid_tree.cpp).
 DensityRamp ramp_of(const NvdbTree& tree, nanovdb::GridClass grid_class) {
     if (grid_class != nanovdb::GridClass::LevelSet) return {};
-    const DensityRamp ramp(tree.least_tile() < 0 ? -tree.least_tile() : tree.background());
+    const DensityRamp ramp(tree.least_tile < 0 ? -tree.least_tile : tree.background);
     expect_nvdb(ramp.is_valid(), "its level set has no half width");
     return ramp;
 }
@@ -193,23 +173,17 @@ Outcome<FileVoxels> open_nvdb_grid(const std::filesystem::path& path, const std:
         const IndexAxes axes = read_map(data.mMap, voxels);
         NvdbTree tree(file, grid);
         read_bounds(tree, part, voxels);
-        if (part == VolumePart::numbers) {
-            voxels.background = tree.background();
-            voxels.voxels = std::make_shared<NvdbVoxels>(std::move(file), grid.head.type,
-                                                         std::move(tree), std::nullopt);
-            turn_to_space(axes, voxels);
-            return {std::move(voxels), {}};
-        }
-        const DensityRamp density = ramp_of(tree, data.mGridClass);
-        voxels.background = density(tree.background());
-        if (part == VolumePart::voxels) {
+        const bool makes_densities = part != VolumePart::numbers;
+        const auto density = makes_densities ? ramp_of(tree, data.mGridClass) : DensityRamp();
+        voxels.background = density(tree.background);
+        if (part != VolumePart::shape) {
             auto source = std::make_shared<NvdbVoxels>(std::move(file), grid.head.type,
-                                                       std::move(tree), density);
-            source->survey(voxels);
+                                                       std::move(tree), density, makes_densities);
+            if (makes_densities) source->survey(voxels);
             const bool refused =
                 not_finite == config::NotFinite::refuse && voxels.faults.not_finite.count > 0;
             if (refused) throw NvdbDamage{refusal_of(voxels.faults)};
-            source->expect_checksum(grid);
+            if (makes_densities) source->expect_checksum(grid);
             voxels.voxels = std::move(source);
         }
         turn_to_space(axes, voxels);

@@ -16,11 +16,9 @@ const NvdbCube* cube_at(const std::vector<NvdbCube>& cubes, const std::array<int
     return found != cubes.end() && found->corner == corner ? &*found : nullptr;
 }
 
-}  // namespace
-
-class NvdbTree::Reader {
+class NvdbTreeReader {
   public:
-    Reader(NvdbInput& file, const NvdbGrid& grid, NvdbTree& tree)
+    NvdbTreeReader(NvdbInput& file, const NvdbGrid& grid, NvdbTree& tree)
         : file_(file), grid_(grid), tree_(tree) {}
 
     void read() {
@@ -29,16 +27,16 @@ class NvdbTree::Reader {
         std::vector<NvdbUnit> memory;
         file_.read_node<NvdbRoot>(grid_.begin + root, memory);
         const auto& data = *reinterpret_cast<const NvdbRoot*>(memory.data());
-        tree_.background_ = data.mBackground;
+        tree_.background = data.mBackground;
         take(data.mBackground);
         for (nanovdb::Coord::IndexType axis = 0; axis < 3; ++axis) {
-            tree_.first_[axis] = data.mBBox.min()[axis];
-            tree_.last_[axis] = data.mBBox.max()[axis];
+            tree_.first[axis] = data.mBBox.min()[axis];
+            tree_.last[axis] = data.mBBox.max()[axis];
         }
         for (std::uint32_t i = 0; i < data.mTableSize; ++i) {
             read_root_tile(root, root + sizeof(NvdbRoot) + i * sizeof(NvdbRoot::Tile));
         }
-        for (std::vector<NvdbCube>& cubes : tree_.cubes_) {
+        for (std::vector<NvdbCube>& cubes : tree_.cubes) {
             std::sort(cubes.begin(), cubes.end(), is_before);
             const auto twice = std::adjacent_find(
                 cubes.begin(), cubes.end(),
@@ -49,15 +47,15 @@ class NvdbTree::Reader {
 
   private:
     void take(float value) {
-        tree_.finite_tiles_ = tree_.finite_tiles_ && std::isfinite(value);
-        tree_.least_tile_ = std::min(tree_.least_tile_, value);
-        tree_.largest_tile_ = std::max(tree_.largest_tile_, value);
+        tree_.has_finite_tiles = tree_.has_finite_tiles && std::isfinite(value);
+        tree_.least_tile = std::min(tree_.least_tile, value);
+        tree_.largest_tile = std::max(tree_.largest_tile, value);
     }
 
     void add_tile(std::size_t level, const std::array<int, 3>& corner, float value) {
         take(value);
-        if (value == tree_.background_) return;
-        tree_.cubes_[level].push_back({corner, value, 0});
+        if (value == tree_.background) return;
+        tree_.cubes[level].push_back({corner, value, 0});
     }
 
     // Counts a node of so many bytes. The grid has room for some number of them.
@@ -101,7 +99,7 @@ class NvdbTree::Reader {
             } else {
                 const std::size_t bytes = nvdb_leaf_bytes(grid_.head.type);
                 count(0, bytes);
-                tree_.cubes_[0].push_back(
+                tree_.cubes[0].push_back(
                     {corner, 0,
                      grid_.begin + checked_nvdb_offset(grid_, node, data.mTable[i].child, bytes)});
             }
@@ -114,13 +112,17 @@ class NvdbTree::Reader {
     std::array<std::uint64_t, 3> nodes_{};
 };
 
-NvdbTree::NvdbTree(NvdbInput& file, const NvdbGrid& grid) { Reader(file, grid, *this).read(); }
+}  // namespace
+
+NvdbTree::NvdbTree(NvdbInput& file, const NvdbGrid& grid) {
+    NvdbTreeReader(file, grid, *this).read();
+}
 
 const NvdbCube* NvdbTree::find(const std::array<int, 3>& corner) const {
     for (std::size_t level = 0; level < edges.size(); ++level) {
         std::array<int, 3> aligned = corner;
         for (int& i : aligned) i &= ~(edges[level] - 1);
-        if (const NvdbCube* cube = cube_at(cubes_[level], aligned)) return cube;
+        if (const NvdbCube* cube = cube_at(cubes[level], aligned)) return cube;
     }
     return nullptr;
 }

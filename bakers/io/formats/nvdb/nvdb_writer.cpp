@@ -18,67 +18,32 @@ namespace skybake {
 namespace {
 
 namespace fs = std::filesystem;
-using NodePlace = std::array<int, 3>;
 
 // Zeroed memory for a record of the library, whose constructors are deleted.
 template <class T>
 class NvdbRecord {
   public:
     explicit NvdbRecord(std::size_t bytes = sizeof(T))
-        : memory_((bytes + 31) / 32), bytes_(bytes) {}
+        : memory_(nvdb_aligned(bytes) / sizeof(NvdbUnit)), bytes_(bytes) {}
     T& operator*() { return *reinterpret_cast<T*>(memory_.data()); }
     T* operator->() { return &**this; }
     char* data() { return reinterpret_cast<char*>(memory_.data()); }
     std::string_view bytes() { return {data(), bytes_}; }
 
   private:
-    struct alignas(32) Unit {
-        std::array<char, 32> bytes{};
-    };
-    std::vector<Unit> memory_;
+    std::vector<NvdbUnit> memory_;
     std::size_t bytes_;
 };
 
 nanovdb::CoordBBox nvdb_bounds(const NvdbActive& active) {
-    if (active.voxels == 0) return {};
+    if (active.count == 0) return {};
     return {{active.first[0], active.first[1], active.first[2]},
             {active.last[0], active.last[1], active.last[2]}};
 }
 
-// The lower nodes that a volume may have, in the order of the file, and the upper nodes above them.
-class NvdbNodes {
-  public:
-    explicit NvdbNodes(const NodePlace& size) {
-        NodePlace count;
-        for (std::size_t a = 0; a < 3; ++a) count[a] = (size[a] - 1) / nvdb_lower_edge + 1;
-        for (int x = 0; x < count[0]; ++x) {
-            for (int y = 0; y < count[1]; ++y) {
-                for (int z = 0; z < count[2]; ++z) lower_.push_back({x, y, z});
-            }
-        }
-        std::stable_sort(lower_.begin(), lower_.end(), [](const NodePlace& a, const NodePlace& b) {
-            return upper_of(a) < upper_of(b);
-        });
-        uppers_ = 1;
-        for (std::size_t i = 1; i < lower_.size(); ++i) {
-            uppers_ += upper_of(lower_[i]) != upper_of(lower_[i - 1]) ? 1 : 0;
-        }
-    }
-    static NodePlace upper_of(const NodePlace& lower) {
-        return {lower[0] >> 5, lower[1] >> 5, lower[2] >> 5};
-    }
-    std::size_t count() const { return lower_.size(); }
-    std::size_t uppers() const { return uppers_; }
-    const NodePlace& operator[](std::size_t i) const { return lower_[i]; }
-
-  private:
-    std::vector<NodePlace> lower_;  // places in units of 128 voxels; within a node in its order
-    std::size_t uppers_ = 0;
-};
-
 // An upper node that has children: lower nodes first ... first + count - 1 of those that have leaves.
 struct NvdbUpperNode {
-    NodePlace place{};
+    std::array<int, 3> corner{};
     std::size_t first = 0;
     std::size_t count = 0;
     NvdbActive active;
@@ -89,8 +54,8 @@ constexpr std::size_t leaf_bytes = sizeof(NvdbLeaf<float>);
 
 class NvdbGridWriter {
   public:
-    NvdbGridWriter(const FileContent& content, std::size_t channel, const NvdbNodes& nodes,
-                   FileOutput& output)
+    NvdbGridWriter(const FileContent& content, std::size_t channel,
+                   const std::vector<VoxelBox>& nodes, FileOutput& output)
         : content_(content),
           volume_(content.baked),
           level_(volume_.levels[static_cast<std::size_t>(content.level)]),
@@ -98,9 +63,10 @@ class NvdbGridWriter {
           nodes_(nodes),
           output_(output),
           begin_(output.position()) {
-        // NvdbNodes that turn out empty are left out, and their room stays free before the leaves.
-        leaves_at_ = nvdb_tiles_at + nodes.uppers() * (sizeof(NvdbRoot::Tile) + sizeof(NvdbUpper)) +
-                     nodes.count() * sizeof(NvdbLower);
+        // Nodes that turn out empty are left out, and their room stays free before the leaves.
+        const auto uppers = cells_in_tree_order({{}, level_.size}, nvdb_upper_edge).size();
+        leaves_at_ = nvdb_tiles_at + uppers * (sizeof(NvdbRoot::Tile) + sizeof(NvdbUpper)) +
+                     nodes.size() * sizeof(NvdbLower);
     }
 
     // Returns false once progress->cancelled().
@@ -122,22 +88,13 @@ class NvdbGridWriter {
     const NvdbGridHead& head() const { return head_; }
 
   private:
-    VoxelBox box_of(std::size_t node) const {
-        VoxelBox box;
-        for (std::size_t a = 0; a < 3; ++a) {
-            box.origin[a] = nodes_[node][a] * nvdb_lower_edge;
-            box.size[a] = std::min(nvdb_lower_edge, level_.size[a] - box.origin[a]);
-        }
-        return box;
-    }
-
     bool write_leaves() {
-        const auto count = static_cast<int>(nodes_.count());
-        lower_.resize(nodes_.count());
+        const auto count = static_cast<int>(nodes_.size());
+        lower_.resize(nodes_.size());
         return write_boxes<NvdbSlot>(
             count, content_.threads, content_.progress,
             [&](int i, NvdbSlot& made) {
-                make_nvdb_leaves(volume_, level_, channel_, box_of(static_cast<std::size_t>(i)),
+                make_nvdb_leaves(volume_, level_, channel_, nodes_[static_cast<std::size_t>(i)],
                                  made);
             },
             [&](int i, NvdbSlot& made) {
@@ -156,9 +113,9 @@ class NvdbGridWriter {
     void collect_nodes() {
         for (std::size_t i = 0; i < lower_.size(); ++i) {
             if (lower_[i].leaves == 0) continue;
-            const NodePlace place = NvdbNodes::upper_of(nodes_[i]);
-            if (uppers_.empty() || uppers_.back().place != place) {
-                uppers_.push_back({place, made_.size(), 0, {}});
+            const std::array<int, 3> corner = node_corner(nodes_[i], nvdb_upper_edge);
+            if (uppers_.empty() || uppers_.back().corner != corner) {
+                uppers_.push_back({corner, made_.size(), 0, {}});
             }
             made_.push_back(i);
             ++uppers_.back().count;
@@ -185,8 +142,8 @@ class NvdbGridWriter {
     template <class Node>
     static void store_summary(const NvdbActive& active, Node& node) {
         node.mBBox = nvdb_bounds(active);
-        node.mMinimum = active.voxels > 0 ? active.least : 0;
-        node.mMaximum = active.voxels > 0 ? active.largest : 0;
+        node.mMinimum = active.count > 0 ? active.least : 0;
+        node.mMaximum = active.count > 0 ? active.largest : 0;
     }
 
     void store_map(nanovdb::GridData& grid) {
@@ -210,7 +167,7 @@ class NvdbGridWriter {
         }
         grid.mMap.mTaperF = 1;
         grid.mMap.mTaperD = 1;
-        if (whole_.voxels == 0) grid.mWorldBBox = {};
+        if (whole_.count == 0) grid.mWorldBBox = {};
         head_.voxel_size = edge;
     }
 
@@ -225,9 +182,8 @@ class NvdbGridWriter {
         root->mTableSize = static_cast<std::uint32_t>(uppers_.size());
         for (std::size_t i = 0; i < uppers_.size(); ++i) {
             NvdbRoot::Tile& tile = *root->tile(static_cast<std::uint32_t>(i));
-            const NodePlace& at = uppers_[i].place;
-            tile.key = NvdbRoot::CoordToKey(nanovdb::Coord(
-                at[0] * nvdb_upper_edge, at[1] * nvdb_upper_edge, at[2] * nvdb_upper_edge));
+            const std::array<int, 3>& at = uppers_[i].corner;
+            tile.key = NvdbRoot::CoordToKey(nanovdb::Coord(at[0], at[1], at[2]));
             tile.child =
                 static_cast<std::int64_t>(uppers_at_ + i * sizeof(NvdbUpper) - nvdb_root_at);
         }
@@ -243,7 +199,7 @@ class NvdbGridWriter {
         grid.mMagic = NANOVDB_MAGIC_NUMBER;
         grid.mVersion = nanovdb::Version();
         grid.setMinMaxOn();
-        grid.setBBoxOn(whole_.voxels > 0);
+        grid.setBBoxOn(whole_.count > 0);
         grid.setBreadthFirstOn();
         grid.mGridCount = 1;
         grid.mGridSize = end;
@@ -266,7 +222,7 @@ class NvdbGridWriter {
         tree.mNodeCount[0] = static_cast<std::uint32_t>(leaves_);
         tree.mNodeCount[1] = static_cast<std::uint32_t>(made_.size());
         tree.mNodeCount[2] = static_cast<std::uint32_t>(uppers_.size());
-        tree.mVoxelCount = whole_.voxels;
+        tree.mVoxelCount = static_cast<std::uint64_t>(whole_.count);
     }
 
     void fill_file_head(const nanovdb::GridData& grid, const nanovdb::TreeData<3>& tree,
@@ -291,7 +247,8 @@ class NvdbGridWriter {
             NvdbRecord<NvdbUpper> node;
             store_summary(made.active, *node);
             for (std::size_t k = made.first; k < made.first + made.count; ++k) {
-                const std::uint32_t child = nvdb_child(nodes_[made_[k]], 5);
+                const std::uint32_t child = child_place(nodes_[made_[k]].origin, nvdb_lower_edge,
+                                                        nvdb_upper_edge / nvdb_lower_edge);
                 node->mChildMask.setOn(child);
                 node->mTable[child].child =
                     static_cast<std::int64_t>(lowers_at_ + k * sizeof(NvdbLower)) -
@@ -329,7 +286,8 @@ class NvdbGridWriter {
     const Baked& volume_;
     const Level& level_;
     const std::size_t channel_;
-    const NvdbNodes& nodes_;
+    const std::vector<VoxelBox>&
+        nodes_;  // lower ones that may have leaves, in the order of the file
     FileOutput& output_;
     const std::uint64_t begin_;
     std::uint64_t leaves_at_ = 0;  // offsets count from the grid's beginning
@@ -351,7 +309,8 @@ Outcome<bool> write_nvdb(const FileContent& content, const fs::path& path) {
     const std::vector<std::string> names = vdb_grid_names(content.baked);
     std::uint64_t head_bytes = sizeof(NvdbSegment);
     for (const std::string& name : names) head_bytes += sizeof(NvdbGridHead) + name.size() + 1;
-    const NvdbNodes nodes(content.baked.levels[static_cast<std::size_t>(content.level)].size);
+    const std::vector<VoxelBox> nodes =
+        nodes_in_tree_order(content.baked.levels[static_cast<std::size_t>(content.level)].size);
     FileOutput output(path);
     output.seek(head_bytes);
     NvdbSegment segment;

@@ -111,31 +111,26 @@ Outcome<bool> write_png_file(const FileContent& content, const fs::path& path) {
     const Baked& baked = content.baked;
     if (const auto reason = png_obstacle(baked, content.level)) return contradiction(path, *reason);
     const std::size_t channels = baked.channel_names.size();
-    const auto sample = static_cast<std::size_t>(bytes_per_value(baked.pixel_type));
+    const auto sample = bytes_per_value(baked.pixel_type);
     FileOutput output(path);
-    bool complete = false;
-    std::string reason;
     try {
         SheetWriter sheet(baked, content.level, content.threads, content.progress);
         Writer writer(output);
         writer.begin(sheet.width(), sheet.height(), static_cast<int>(8 * sample), channels,
                      content.metadata);
         std::string row;
-        complete = sheet.write([&](const SheetRows& rows, int) {
+        const bool complete = sheet.write([&](const SheetRows& rows, int) {
             for (int y = 0; y < rows.count; ++y) {
                 interleave(rows, y, static_cast<std::size_t>(sheet.width()), channels, sample, row);
                 writer.row(row.data());
             }
         });
         if (complete) writer.end();
+        return output.finished(complete);
     } catch (const std::exception& error) {
-        reason = error.what();
+        if (!output.finish()) return output.diagnostic();
+        return contradiction(path, fmt::format("libpng cannot encode it: {}", error.what()));
     }
-    if (!output.finish()) return output.diagnostic();
-    if (!reason.empty()) {
-        return contradiction(path, fmt::format("libpng cannot encode it: {}", reason));
-    }
-    return {complete, {}};
 }
 
 // --- Reading ------------------------------------------------------------------------------------
@@ -219,13 +214,11 @@ class Reader {
     png_infop info_;
 };
 
-Outcome<FileFacts> inspect_png(const fs::path& path) {
-    Outcome<FileInput> file = FileInput::open(path);
-    if (!file.value) return {{}, std::move(file.diagnostics)};
+Outcome<FileFacts> inspect_png(FileInput& file) {
     try {
-        return {Reader(*file.value).open(), {}};
+        return {Reader(file).open(), {}};
     } catch (const std::exception& error) {
-        return damaged_file(path, "PNG", error.what());
+        return damaged_file(file.path(), "PNG", error.what());
     }
 }
 
@@ -265,7 +258,7 @@ class HeldRows {
     bool can_hold(std::uint64_t bytes) const {
         const double samples =
             static_cast<double>(facts_.image_size[0]) * static_cast<double>(facts_.image_size[1]) *
-            static_cast<double>(facts_.channels) * bytes_per_value(*facts_.pixel_type);
+            static_cast<double>(facts_.channels * bytes_per_value(*facts_.pixel_type));
         return samples <= 1032.0 * static_cast<double>(bytes);
     }
 
@@ -273,20 +266,18 @@ class HeldRows {
     std::vector<std::string> rows_;
 };
 
-Outcome<bool> read_png_file(const fs::path& path, const FileShape& shape, int,
+Outcome<bool> read_png_file(FileInput& file, const FileShape& shape, int,
                             const VoxelVisitor& visit) {
-    Outcome<FileInput> file = FileInput::open(path);
-    if (!file.value) return {{}, std::move(file.diagnostics)};
     try {
-        const HeldRows rows(*file.value);
+        const HeldRows rows(file);
         if (rows.facts().image_size != image_size(shape.size, shape.grid) ||
             rows.facts().channels != shape.channels ||
             rows.facts().pixel_type != shape.pixel_type) {
-            return other_size(path);
+            return other_size(file.path());
         }
         return read_sheet(rows.source(), shape.size, shape.grid, visit);
     } catch (const std::exception& error) {
-        return damaged_file(path, "PNG", error.what());
+        return damaged_file(file.path(), "PNG", error.what());
     }
 }
 

@@ -127,50 +127,42 @@ std::optional<std::string> tga_description(FileInput& file) {
     return file_part(file, little(*directory, 4, 4), little(*directory, 8, 4));
 }
 
-Outcome<FileFacts> inspect_tga_file(FileInput& file, const fs::path& path) {
+Outcome<FileFacts> inspect_tga(FileInput& file) {
     const auto head = file_part(file, 0, head_size);
-    if (!head) return damaged_file(path, "TGA", "it ends within its head");
+    if (!head) return damaged_file(file.path(), "TGA", "it ends within its head");
     FileFacts facts;
     facts.pixel_type = PixelType::unorm8;
     facts.image_size = {little(*head, 12, 2), little(*head, 14, 2)};
     facts.channels = little(*head, 16, 1) / 8;
     if (*head != tga_head(static_cast<int>(facts.image_size[0]),
                           static_cast<int>(facts.image_size[1]), facts.channels)) {
-        return damaged_file(path, "TGA", "its head is that of another kind of image");
+        return damaged_file(file.path(), "TGA", "its head is that of another kind of image");
     }
     const auto description = tga_description(file);
-    if (!description) return damaged_file(path, "TGA", "it ends early");
+    if (!description) return damaged_file(file.path(), "TGA", "it ends early");
     facts.metadata = *description;
     return {std::move(facts), {}};
 }
 
-Outcome<FileFacts> inspect_tga(const fs::path& path) {
-    Outcome<FileInput> file = FileInput::open(path);
-    if (!file.value) return {{}, std::move(file.diagnostics)};
-    return inspect_tga_file(*file.value, path);
-}
-
-Outcome<bool> read_tga_file(const fs::path& path, const FileShape& shape, int,
+Outcome<bool> read_tga_file(FileInput& file, const FileShape& shape, int,
                             const VoxelVisitor& visit) {
-    Outcome<FileInput> file = FileInput::open(path);
-    if (!file.value) return {{}, std::move(file.diagnostics)};
-    const Outcome<FileFacts> facts = inspect_tga_file(*file.value, path);
+    const Outcome<FileFacts> facts = inspect_tga(file);
     if (!facts.value) return {{}, facts.diagnostics};
     const auto [width, height] = image_size(shape.size, shape.grid);
     const std::uint64_t row =
         static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(shape.channels);
     if (facts.value->image_size != std::array{width, height} ||
         facts.value->channels != shape.channels || shape.pixel_type != PixelType::unorm8 ||
-        file.value->size() < head_size + row * static_cast<std::uint64_t>(height)) {
-        return other_size(path);
+        file.size() < head_size + row * static_cast<std::uint64_t>(height)) {
+        return other_size(file.path());
     }
     std::string bytes;
     const auto read = [&](int first, int count,
                           float* texels) -> std::optional<config::Diagnostic> {
         bytes.resize(row * static_cast<std::uint64_t>(count));
-        const auto done = file.value->read(head_size + row * static_cast<std::uint64_t>(first),
-                                           bytes.data(), bytes.size());
-        if (!done || *done < bytes.size()) return file.value->diagnostic();
+        const auto done = file.read(head_size + row * static_cast<std::uint64_t>(first),
+                                    bytes.data(), bytes.size());
+        if (!done || *done < bytes.size()) return file.diagnostic();
         for (std::size_t i = 0; shape.channels >= 3 && i < bytes.size(); i += shape.channels) {
             std::swap(bytes[i], bytes[i + 2]);
         }

@@ -146,55 +146,50 @@ Outcome<bool> write_tif_file(const FileContent& content, const fs::path& path) {
     if (const auto reason = tif_obstacle(baked, pages)) return contradiction(path, *reason);
     FileOutput output(path);
     output.write(tif_head(pages));
-    const bool complete = write_texels(content, content.level, TexelPadding::none, output);
+    const bool complete = write_texels(content, content.level, texel_sink(output));
     output.write(tif_tail(pages));
     return output.finished(complete);
 }
 
 // Reads the first page's directory, whose entries stand where skybake writes them.
-Outcome<FileFacts> inspect_tif(const fs::path& path) {
-    Outcome<FileInput> file = FileInput::open(path);
-    if (!file.value) return {{}, std::move(file.diagnostics)};
-    const auto head = file_part(*file.value, 0, tif_head_size);
+Outcome<FileFacts> inspect_tif(FileInput& file) {
+    const auto head = file_part(file, 0, tif_head_size);
     if (!head || head->substr(0, 4) != std::string({'I', 'I', 42, 0})) {
-        return damaged_file(path, "TIFF", "it does not begin with `II*`");
+        return damaged_file(file.path(), "TIFF", "it does not begin with `II*`");
     }
-    const auto entries = file_part(*file.value, little(*head, 4, 4), 2 + 10 * tif_entry_size);
+    const auto entries = file_part(file, little(*head, 4, 4), 2 + 10 * tif_entry_size);
     const auto value = [&](std::size_t entry) { return little(*entries, 10 + 12 * entry, 4); };
     if (!entries || little(*entries, 2 + 6 * tif_entry_size, 2) != 270 ||
         little(*entries, 2 + 8 * tif_entry_size, 2) != 277) {
-        return damaged_file(path, "TIFF", "its first directory is that of another program");
+        return damaged_file(file.path(), "TIFF", "its first directory is that of another program");
     }
     FileFacts facts;
     facts.pixel_type = PixelType::float32;
     facts.channels = value(8);
     const std::uint32_t length = little(*entries, 6 + 12 * 6, 4);
-    const auto text = file_part(*file.value, value(6), length);
+    const auto text = file_part(file, value(6), length);
     if (!text || text->empty() || text->back() != '\0') {
-        return damaged_file(path, "TIFF", "it ends within its description");
+        return damaged_file(file.path(), "TIFF", "it ends within its description");
     }
     facts.metadata = text->substr(0, text->size() - 1);
     return {std::move(facts), {}};
 }
 
 // All but the texels is what skybake writes of such pages with the file's own description.
-Outcome<bool> read_tif_file(const fs::path& path, const FileShape& shape, int,
+Outcome<bool> read_tif_file(FileInput& file, const FileShape& shape, int,
                             const VoxelVisitor& visit) {
-    Outcome<FileFacts> facts = inspect_tif(path);
+    Outcome<FileFacts> facts = inspect_tif(file);
     if (!facts.value) return {{}, std::move(facts.diagnostics)};
-    Outcome<FileInput> file = FileInput::open(path);
-    if (!file.value) return {{}, std::move(file.diagnostics)};
     const TifPages pages = tif_pages(shape.size, shape.channels, facts.value->metadata);
     const std::uint64_t texels_end = tif_head_size + pages.texel_bytes();
     const std::string tail = tif_tail(pages);
-    if (file.value->size() != texels_end + tail.size() ||
-        file_part(*file.value, 0, tif_head_size) != tif_head(pages) ||
-        file_part(*file.value, texels_end, tail.size()) != tail) {
-        return other_size(path);
+    if (file.size() != texels_end + tail.size() ||
+        file_part(file, 0, tif_head_size) != tif_head(pages) ||
+        file_part(file, texels_end, tail.size()) != tail) {
+        return other_size(file.path());
     }
-    return read_texels(
-        *file.value,
-        {tif_head_size, shape.size, shape.channels, shape.channels, PixelType::float32}, visit);
+    return read_texels(texel_input(file, tif_head_size),
+                       {shape.size, shape.channels, shape.channels, PixelType::float32}, visit);
 }
 
 }  // namespace

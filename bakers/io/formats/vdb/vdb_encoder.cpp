@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <streambuf>
 
+#include "bakers/field/voxel_index.h"
 #include "bakers/math/half_conversion.h"
 
 namespace skybake::vdb {
@@ -186,7 +187,7 @@ void write_leaf(std::ostream& out, const VdbLeafMask& active, const float* value
     io::writeData(out, halves.data(), size, flags);
 }
 
-}  // namespace
+// --- The functions of VdbCodec ------------------------------------------------------------------
 
 std::string file_head(const std::string& uuid, const Attributes& attributes, int grids) {
     std::string bytes;
@@ -280,7 +281,7 @@ void encode_strip(const VoxelBox& strip, const float* values, const VdbLeaves& l
     std::array<float, std::size_t{3} * Leaf::NUM_VALUES> active_values;
     for (std::size_t i = 0; i < leaves.places.size(); ++i) {
         const std::uint16_t place = leaves.places[i];
-        const float* const corner = values + voxel_index(strip, leaf_origin(strip, place));
+        const float* const corner = values + index_in(strip, leaf_origin(strip, place));
         const VdbLeafMask& active = leaves.active[i];
         std::size_t count = 0;
         for (int c = 0; c < encoding.components; ++c) {
@@ -296,4 +297,13 @@ void encode_strip(const VoxelBox& strip, const float* values, const VdbLeaves& l
     }
 }
 
+}  // namespace
 }  // namespace skybake::vdb
+
+extern "C" const skybake::VdbCodec* skybake_vdb_codec() {
+    using namespace skybake::vdb;
+    static constexpr skybake::VdbCodec codec = {file_head,    grid_head,  grid_positions,
+                                                root,         upper_node, lower_node,
+                                                encode_strip, read,       open_grid};
+    return &codec;
+}

@@ -65,14 +65,13 @@ Outcome<T> read_with_module(const fs::path& path, Read&& read) {
     if (!opened.value) return {{}, std::move(opened.diagnostics)};
     const LoadedCodec<VdbCodec>& loaded = vdb_codec();
     if (loaded.codec != nullptr) return read(*loaded.codec);
-    return file_error("E0300", path.string(),
-                      fmt::format("cannot read `{}`: {}", path.string(), loaded.reason));
+    return cannot_read(path, loaded.reason);
 }
 
 std::optional<Diagnostic> vdb_obstacle(const fs::path& path) {
     const LoadedCodec<VdbCodec>& loaded = vdb_codec();
     if (loaded.codec != nullptr) return std::nullopt;
-    return cannot_write_vdb(path, loaded.reason);
+    return cannot_write(path, loaded.reason);
 }
 
 Outcome<bool> write_vdb_file(const FileContent& content, const fs::path& path) {
@@ -119,13 +118,13 @@ Outcome<bool> write_vdb(const Baked& volume, int level, const Attributes& attrib
         return file_error("E0500", path.string(), *reason);
     }
     const LoadedCodec<VdbCodec>& loaded = vdb_codec();
-    if (loaded.codec == nullptr) return cannot_write_vdb(path, loaded.reason);
+    if (loaded.codec == nullptr) return cannot_write(path, loaded.reason);
     try {
         VdbWriter writer(volume, volume.levels[static_cast<std::size_t>(level)], *loaded.codec,
                          most_kept_bytes, progress, path);
         return writer.write(attributes, threads);
     } catch (const std::exception& error) {
-        return cannot_write_vdb(path, error.what());
+        return cannot_write(path, error.what());
     }
 }
 

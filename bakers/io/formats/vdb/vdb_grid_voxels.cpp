@@ -23,9 +23,6 @@ namespace {
 namespace io = openvdb::io;
 using Coord = openvdb::Coord;
 
-// The values of a leaf, in OpenVDB's order: z fastest.
-using LeafValues = std::array<float, Leaf::NUM_VALUES>;
-
 Coord corner_of(const VoxelBox& box) { return {box.origin[0], box.origin[1], box.origin[2]}; }
 
 template <class Value>
@@ -55,15 +52,8 @@ class GridVoxels : public VoxelSource {
         voxels.faults = tree_.faults;
         Decoder decoder(*this);
         for (LeafRecord& leaf : tree_.leaves) {
-            LeafValues& values = decoder.decode(leaf);
-            for (std::size_t i = 0; i < values.size(); ++i) {
-                if (ValueFaults::is_fault(values[i])) add_fault(leaf, i, values[i], voxels.faults);
-            }
-            to_densities(values);
-            voxels.largest =
-                std::max(voxels.largest, *std::max_element(values.begin(), values.end()));
-            leaf.is_zero =
-                std::all_of(values.begin(), values.end(), [](float value) { return value == 0; });
+            leaf.is_zero = survey_leaf(leaf.corner, tree_.density, tree_.background,
+                                       decoder.decode(leaf), voxels);
         }
         if (tree_.density.changes()) voxels.faults.negative = {};
     }
@@ -77,7 +67,7 @@ class GridVoxels : public VoxelSource {
                     part, box, [&](auto) { return place.value; }, channels[0]);
             } else {
                 LeafValues& values = decoder.decode(*place.leaf);
-                to_densities(values);
+                if (makes_densities_) make_densities(tree_.density, tree_.background, values);
                 copy_leaf(
                     part, box, [&](auto at) { return values[at]; }, channels[0]);
             }
@@ -90,23 +80,6 @@ class GridVoxels : public VoxelSource {
     }
 
   private:
-    // Values that are not finite are taken for the background.
-    void to_densities(LeafValues& values) const {
-        for (float& value : values) {
-            if (makes_densities_)
-                value = tree_.density(std::isfinite(value) ? value : tree_.background);
-        }
-    }
-
-    void add_fault(const LeafRecord& leaf, std::size_t offset, float value,
-                   ValueFaults& faults) const {
-        if (value == tree_.background) return;
-        const Coord local = Leaf::offsetToLocalCoord(static_cast<openvdb::Index>(offset));
-        std::array<std::int64_t, 3> index{};
-        for (std::size_t i = 0; i < 3; ++i) index[i] = leaf.corner[i] + local[i];
-        faults.add(value, index);
-    }
-
     // Looks at cubes of an edge, and at smaller ones where a cube has children.
     bool is_empty_by(const VoxelBox& box, int edge) const {
         bool empty = true;
@@ -181,33 +154,34 @@ std::string name_of(const Grid& grid) {
     return io::GridDescriptor::nameAsString(grid.descriptor.uniqueName());
 }
 
-// Returns the grid of that name, or the grid of vectors with the component of that name: `v.x` of `v`. Without
-// a name it is `density`, or the only grid of numbers.
-Grid find_grid(const std::vector<Grid>& grids, const std::string& asked) {
-    std::vector<GridName> names;
-    std::vector<Grid> named;
-    for (const Grid& grid : grids) {
-        names.push_back({name_of(grid), is_of_numbers(grid)});
-        named.push_back(grid);
-    }
-    for (const Grid& grid : grids) {
+// Returns the grid of vectors with the component of that name: `v.x` of `v`.
+std::optional<Grid> grid_of_component(const std::vector<Grid>& grids, const std::string& asked) {
+    for (Grid grid : grids) {
         if (!is_of_vectors(grid)) continue;
-        for (int component = 0; component < 3; ++component) {
-            names.push_back({fmt::format("{}.{}", name_of(grid), "xyz"[component]), false});
-            named.push_back(grid);
-            named.back().component = component;
+        for (; grid.component < 3; ++grid.component) {
+            if (asked == fmt::format("{}.{}", name_of(grid), "xyz"[grid.component])) return grid;
         }
     }
+    return std::nullopt;
+}
+
+// Returns the grid of that name, or the grid of vectors with the component of that name. Without a name it
+// is `density`, or the only grid of numbers.
+Grid find_grid(const std::vector<Grid>& grids, const std::string& asked) {
+    std::vector<GridName> names;
+    for (const Grid& grid : grids) names.push_back({name_of(grid), is_of_numbers(grid)});
     std::size_t number = 0;
-    if (const auto reason = find_grid_name(names, asked, number)) throw Damaged(*reason);
-    expect(!named[number].descriptor.isInstance(), "grids share a tree");
-    if (number < grids.size() && is_of_vectors(named[number])) {
+    const auto reason = find_grid_name(names, asked, number);
+    const std::optional<Grid> found = reason ? grid_of_component(grids, asked) : grids[number];
+    if (!found) throw Damaged(*reason);
+    expect(!found->descriptor.isInstance(), "grids share a tree");
+    if (!reason && is_of_vectors(*found)) {
         throw Damaged(
             fmt::format("its grid `{0}` holds vectors; write grid = \"{0}.x\", \"{0}.y\" or "
                         "\"{0}.z\"",
                         names[number].name));
     }
-    return named[number];
+    return *found;
 }
 
 IndexAxes read_transform(const openvdb::GridBase& grid, FileVoxels& voxels) {

@@ -77,7 +77,7 @@ void Input::read_metadata(openvdb::MetaMap& map) {
 
 openvdb::GridBase::Ptr Input::read_descriptor(io::GridDescriptor& descriptor) {
     const auto begin = stream_.tellg();
-    skip_sized(3);  // the names of grid, type and parent
+    for (int name = 0; name < 3; ++name) read_sized();  // of grid, type and parent
     stream_.seekg(begin);
     return descriptor.read(stream_);
 }
@@ -97,14 +97,6 @@ std::string Input::read_sized() {
     std::string bytes(static_cast<std::size_t>(length), '\0');
     stream_.read(bytes.data(), length);
     return bytes;
-}
-
-void Input::skip_sized(int count) {
-    for (; count > 0; --count) {
-        const std::int64_t length = read_raw<std::uint32_t>(stream_);
-        expect(position() + length <= file_size_, "it ends early");
-        stream_.seekg(length, std::ios::cur);
-    }
 }
 
 std::vector<Grid> read_grid_heads(Input& input) {

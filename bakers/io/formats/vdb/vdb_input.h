@@ -64,8 +64,6 @@ class Input : public openvdb::io::Archive {
   private:
     // Reads a length and that many bytes.
     std::string read_sized();
-    // Skips `count` items, each of which is a length and that many bytes.
-    void skip_sized(int count);
 
     openvdb::io::StreamMetadata::Ptr metadata_{
         new openvdb::io::StreamMetadata};  // outlives the stream

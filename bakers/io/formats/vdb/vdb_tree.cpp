@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "bakers/field/voxel_index.h"
+
 namespace skybake {
 namespace {
 
@@ -10,20 +12,7 @@ constexpr int leaf_edge = vdb_leaf_edge;
 
 // Returns the place of a leaf, counted in leaves from the corner of its node.
 std::uint16_t place_of(const std::array<int, 3>& leaf_origin) {
-    int place = 0;
-    for (const int coordinate : leaf_origin) {
-        place = 16 * place + coordinate % vdb_node_edge / leaf_edge;
-    }
-    return static_cast<std::uint16_t>(place);
-}
-
-// Returns the voxels of a leaf that lie in a box of this size.
-VdbLeafMask voxels_within(const std::array<int, 3>& size) {
-    std::uint64_t plane = 0;
-    for (int y = 0; y < size[1]; ++y) plane |= ((std::uint64_t{2} << (size[2] - 1)) - 1) << (8 * y);
-    VdbLeafMask mask{};
-    std::fill_n(mask.begin(), size[0], plane);
-    return mask;
+    return child_place(leaf_origin, leaf_edge, vdb_node_edge / leaf_edge);
 }
 
 // Returns the bits, without the sign, of the largest float that is stored as 0. For half it is
@@ -66,7 +55,7 @@ VdbLeafMask active_voxels(const VoxelBox& strip, const float* values, const Voxe
     for (int z = 0; z < leaf.size[2]; ++z) {
         for (int y = 0; y < leaf.size[1]; ++y) {
             const auto [left, front, bottom] = leaf.origin;
-            const float* const row = values + voxel_index(strip, {left, front + y, bottom + z});
+            const float* const row = values + index_in(strip, {left, front + y, bottom + z});
             for (int x = 0; x < leaf.size[0]; ++x) {
                 const std::uint64_t active = magnitude(row[x]) > zero ? 1 : 0;
                 mask[static_cast<std::size_t>(x)] |= active << (8 * y + z);
@@ -79,12 +68,18 @@ VdbLeafMask active_voxels(const VoxelBox& strip, const float* values, const Voxe
 }  // namespace
 
 std::array<int, 3> leaf_origin(const VoxelBox& strip, std::uint16_t place) {
-    std::array<int, 3> origin = {place / 256, place / 16 % 16, place % 16};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const int node = strip.origin[axis] / vdb_node_edge * vdb_node_edge;
-        origin[axis] = node + origin[axis] * leaf_edge;
-    }
+    const std::array<int, 3> leaves = {place / 256, place / 16 % 16, place % 16};
+    std::array<int, 3> origin = node_corner(strip, vdb_node_edge);
+    for (std::size_t axis = 0; axis < 3; ++axis) origin[axis] += leaves[axis] * leaf_edge;
     return origin;
+}
+
+VdbLeafMask voxels_within(const std::array<int, 3>& size) {
+    std::uint64_t plane = 0;
+    for (int y = 0; y < size[1]; ++y) plane |= ((std::uint64_t{2} << (size[2] - 1)) - 1) << (8 * y);
+    VdbLeafMask mask{};
+    std::fill_n(mask.begin(), size[0], plane);
+    return mask;
 }
 
 VdbLeaves all_leaves(const VoxelBox& strip) {
@@ -125,29 +120,60 @@ VdbLeaves merge_leaves(std::span<const VdbLeaves> strips) {
     return merged;
 }
 
+void VdbActiveVoxels::add(const std::array<int, 3>& origin, const VdbLeafMask& active) {
+    // The masks tell which x, y and z have an active voxel: x in every eighth bit of x_mask, y
+    // in groups of eight bits of yz_mask, and z in the lowest eight bits of z_mask.
+    std::uint64_t x_mask = 0, yz_mask = 0, z_mask = 0;
+    for (std::size_t x = 0; x < active.size(); ++x) {
+        count += std::popcount(active[x]);
+        x_mask |= std::uint64_t{active[x] != 0} << 8 * x;
+        yz_mask |= active[x];
+    }
+    for (int y = 0; y < leaf_edge; ++y) z_mask |= yz_mask >> 8 * y & 0xffU;
+    const std::array<int, 3> low = {std::countr_zero(x_mask) / 8, std::countr_zero(yz_mask) / 8,
+                                    std::countr_zero(z_mask)};
+    const std::array<int, 3> high = {(63 - std::countl_zero(x_mask)) / 8,
+                                     (63 - std::countl_zero(yz_mask)) / 8,
+                                     63 - std::countl_zero(z_mask)};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        first[axis] = std::min(first[axis], origin[axis] + low[axis]);
+        last[axis] = std::max(last[axis], origin[axis] + high[axis]);
+    }
+}
+
 void VdbActiveVoxels::add(const VoxelBox& strip, const VdbLeaves& leaves) {
     for (std::size_t i = 0; i < leaves.places.size(); ++i) {
-        // The masks tell which x, y and z have an active voxel: x in every eighth bit of x_mask, y
-        // in groups of eight bits of yz_mask, and z in the lowest eight bits of z_mask.
-        std::uint64_t x_mask = 0, yz_mask = 0, z_mask = 0;
-        for (std::size_t x = 0; x < leaves.active[i].size(); ++x) {
-            const std::uint64_t plane = leaves.active[i][x];
-            count += std::popcount(plane);
-            x_mask |= std::uint64_t{plane != 0} << 8 * x;
-            yz_mask |= plane;
-        }
-        for (int y = 0; y < leaf_edge; ++y) z_mask |= yz_mask >> 8 * y & 0xffU;
-        const std::array<int, 3> origin = leaf_origin(strip, leaves.places[i]);
-        const std::array<int, 3> low = {std::countr_zero(x_mask) / 8, std::countr_zero(yz_mask) / 8,
-                                        std::countr_zero(z_mask)};
-        const std::array<int, 3> high = {(63 - std::countl_zero(x_mask)) / 8,
-                                         (63 - std::countl_zero(yz_mask)) / 8,
-                                         63 - std::countl_zero(z_mask)};
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            first[axis] = std::min(first[axis], origin[axis] + low[axis]);
-            last[axis] = std::max(last[axis], origin[axis] + high[axis]);
-        }
+        add(leaf_origin(strip, leaves.places[i]), leaves.active[i]);
     }
+}
+
+void VdbActiveVoxels::add(const VdbActiveVoxels& others) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        first[axis] = std::min(first[axis], others.first[axis]);
+        last[axis] = std::max(last[axis], others.last[axis]);
+    }
+    count += others.count;
+}
+
+std::array<int, 3> node_corner(const VoxelBox& box, int edge) {
+    std::array<int, 3> corner = box.origin;
+    for (int& coordinate : corner) coordinate -= coordinate % edge;
+    return corner;
+}
+
+std::uint16_t child_place(const std::array<int, 3>& origin, int edge, int children) {
+    int place = 0;
+    for (const int coordinate : origin) place = children * place + coordinate / edge % children;
+    return static_cast<std::uint16_t>(place);
+}
+
+std::vector<VoxelBox> nodes_in_tree_order(const std::array<int, 3>& size) {
+    std::vector<VoxelBox> nodes;
+    for (const VoxelBox& upper : cells_in_tree_order({{}, size}, vdb_upper_node_edge)) {
+        const std::vector<VoxelBox> below = cells_in_tree_order(upper, vdb_node_edge);
+        nodes.insert(nodes.end(), below.begin(), below.end());
+    }
+    return nodes;
 }
 
 std::vector<VoxelBox> cells_in_tree_order(const VoxelBox& box, const std::array<int, 3>& edge) {

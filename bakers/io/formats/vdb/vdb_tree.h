@@ -37,6 +37,9 @@ std::array<int, 3> leaf_origin(const VoxelBox& strip, std::uint16_t place);
 inline constexpr int vdb_node_columns = 16;
 inline int vdb_column(std::uint16_t place) { return place / 256; }
 
+// Returns the voxels of a leaf that lie in a box of this size at its corner.
+VdbLeafMask voxels_within(const std::array<int, 3>& size);
+
 // Returns leaves in which all voxels of the strip are active.
 VdbLeaves all_leaves(const VoxelBox& strip);
 
@@ -54,7 +57,10 @@ struct VdbActiveVoxels {
     std::array<int, 3> last = {-1, -1, -1};
     std::int64_t count = 0;
 
+    // Adds those of a leaf at a place, which has some.
+    void add(const std::array<int, 3>& origin, const VdbLeafMask& active);
     void add(const VoxelBox& strip, const VdbLeaves& leaves);
+    void add(const VdbActiveVoxels& others);
 };
 
 // The edges of leaves and nodes, in voxels.
@@ -67,12 +73,14 @@ inline constexpr int vdb_upper_node_edge = 4096;
 std::vector<VoxelBox> cells_in_tree_order(const VoxelBox& box, const std::array<int, 3>& edge);
 std::vector<VoxelBox> cells_in_tree_order(const VoxelBox& box, int edge);
 
-// Returns the index of a voxel among the values of its box, x fastest, then y, then z.
-inline std::ptrdiff_t voxel_index(const VoxelBox& box, const std::array<int, 3>& voxel) {
-    const auto from = [&](std::size_t axis) {
-        return std::ptrdiff_t{voxel[axis]} - box.origin[axis];
-    };
-    return (from(2) * box.size[1] + from(1)) * box.size[0] + from(0);
-}
+// Returns the boxes of a volume's 128^3 nodes in the order of its tree.
+std::vector<VoxelBox> nodes_in_tree_order(const std::array<int, 3>& size);
+
+// Returns the corner of the node with this edge that a box lies in.
+std::array<int, 3> node_corner(const VoxelBox& box, int edge);
+
+// Returns the place in its parent of a child with this edge that begins at `origin`: children are counted
+// along x, y and z, of each of which the parent has so many.
+std::uint16_t child_place(const std::array<int, 3>& origin, int edge, int children);
 
 }  // namespace skybake

@@ -23,11 +23,9 @@ constexpr std::array<int, 3> strip_edges = {vdb_node_edge, 32, vdb_node_edge};
 // Returns the strips of a volume in the order of its tree, node after node.
 std::vector<VoxelBox> vdb_strips(const std::array<int, 3>& size) {
     std::vector<VoxelBox> strips;
-    for (const VoxelBox& upper : cells_in_tree_order({{}, size}, vdb_upper_node_edge)) {
-        for (const VoxelBox& node : cells_in_tree_order(upper, vdb_node_edge)) {
-            for (const VoxelBox& strip : cells_in_tree_order(node, strip_edges)) {
-                strips.push_back(strip);
-            }
+    for (const VoxelBox& node : nodes_in_tree_order(size)) {
+        for (const VoxelBox& strip : cells_in_tree_order(node, strip_edges)) {
+            strips.push_back(strip);
         }
     }
     return strips;
@@ -37,13 +35,6 @@ std::vector<VoxelBox> vdb_strips(const std::array<int, 3>& size) {
 std::string uuid_of(const std::string& hash) {
     return fmt::format("{}-{}-{}-{}-{}", hash.substr(0, 8), hash.substr(8, 4), hash.substr(12, 4),
                        hash.substr(16, 4), hash.substr(20, 12));
-}
-
-// Returns the corner of the node with this edge that contains the strip.
-std::array<int, 3> node_corner(const VoxelBox& strip, int edge) {
-    std::array<int, 3> corner = strip.origin;
-    for (int& coordinate : corner) coordinate -= coordinate % edge;
-    return corner;
 }
 
 // Divides parts into runs that are in the same node of this edge.
@@ -61,22 +52,7 @@ std::vector<std::span<const Part>> nodes_of(std::span<const Part> parts, int edg
     return nodes;
 }
 
-// Returns the place of a 128^3 node in its 4096^3 node.
-std::uint16_t node_place(const VoxelBox& strip) {
-    constexpr int nodes = vdb_upper_node_edge / vdb_node_edge;
-    int place = 0;
-    for (const int coordinate : strip.origin) {
-        place = nodes * place + coordinate / vdb_node_edge % nodes;
-    }
-    return static_cast<std::uint16_t>(place);
-}
-
 }  // namespace
-
-Diagnostic cannot_write_vdb(const std::filesystem::path& path, const std::string& reason) {
-    return file_error("E0301", path.string(),
-                      fmt::format("cannot write `{}`: {}", path.string(), reason));
-}
 
 VdbWriter::VdbWriter(const Baked& volume, const Level& level, const VdbCodec& codec,
                      std::size_t most_kept_bytes, Progress* progress,
@@ -144,13 +120,11 @@ void VdbWriter::survey(int threads) {
 void VdbWriter::survey_strip(std::size_t grid, const VoxelBox& strip, VdbStripSlot& slot) const {
     slot.leaves = {};
     if (cancelled()) return;
-    try {
+    attempt(slot.error, [&] {
         if (level_.voxels->is_empty(strip)) return;
         evaluate(strip, grid, slot);
         if (!slot.leaves.empty() && keeps_bytes_) encode(strip, grid, slot);
-    } catch (const std::exception& error) {
-        slot.error = cannot_write_vdb(path_, error.what());
-    }
+    });
 }
 
 VdbEncoding VdbWriter::encoding_of(std::size_t grid) const {
@@ -193,7 +167,7 @@ void VdbWriter::encode(const VoxelBox& strip, std::size_t grid, VdbStripSlot& sl
 void VdbWriter::keep(std::size_t grid, const VoxelBox& strip, VdbStripSlot& slot) {
     if (slot.leaves.empty()) return;
     active_[grid].add(strip, slot.leaves);
-    try {
+    attempt(error_, [&] {
         // Copies take no more memory than they need.
         Part& part = parts_.emplace_back(Part{grid, strip, slot.leaves, false, {}});
         if (!keeps_bytes_) return;
@@ -202,9 +176,7 @@ void VdbWriter::keep(std::size_t grid, const VoxelBox& strip, VdbStripSlot& slot
         kept_bytes_ += slot.encoded.bytes.size();
         part.encoded = slot.encoded;
         part.is_encoded = true;
-    } catch (const std::exception& error) {
-        error_ = cannot_write_vdb(path_, error.what());
-    }
+    });
 }
 
 // --- Writing ------------------------------------------------------------------------------------
@@ -229,26 +201,22 @@ void VdbWriter::write_parts(int threads) {
 
 void VdbWriter::encode_part(const Part& part, VdbStripSlot& slot) const {
     if (part.is_encoded || cancelled()) return;
-    try {
+    attempt(slot.error, [&] {
         evaluate(part.strip, part.grid, slot);
         encode(part.strip, part.grid, slot);
-    } catch (const std::exception& error) {
-        slot.error = cannot_write_vdb(path_, error.what());
-    }
+    });
 }
 
 bool VdbWriter::write_part(std::size_t index, VdbStripSlot& slot) {
     Part& part = parts_[index];
-    try {
+    attempt(error_, [&] {
         begin_grids_through(part.grid);
         node_.push_back(std::move(part.is_encoded ? part.encoded : slot.encoded));
         const bool is_last = index + 1 == parts_.size() || parts_[index + 1].grid != part.grid ||
                              node_corner(parts_[index + 1].strip, vdb_node_edge) !=
                                  node_corner(part.strip, vdb_node_edge);
         if (is_last) write_node();
-    } catch (const std::exception& error) {
-        error_ = cannot_write_vdb(path_, error.what());
-    }
+    });
     return going_well();
 }
 
@@ -295,7 +263,10 @@ void VdbWriter::write_topology(Parts parts, VdbEncoding encoding) {
     for (const Parts& upper_node : upper_nodes) {
         const std::vector<Parts> nodes = nodes_of(upper_node, vdb_node_edge);
         std::vector<std::uint16_t> places;
-        for (const Parts& node : nodes) places.push_back(node_place(node.front().strip));
+        for (const Parts& node : nodes) {
+            places.push_back(child_place(node.front().strip.origin, vdb_node_edge,
+                                         vdb_upper_node_edge / vdb_node_edge));
+        }
         const auto corner = node_corner(upper_node.front().strip, vdb_upper_node_edge);
         file_.write(codec_.upper_node(corner, places, encoding));
         for (const Parts& node : nodes) {

@@ -10,6 +10,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <filesystem>
 #include <optional>
 #include <span>
@@ -37,9 +38,6 @@ struct VdbStripSlot {
     std::optional<config::Diagnostic> error;
 };
 
-// Returns E0301 with the reason.
-config::Diagnostic cannot_write_vdb(const std::filesystem::path& path, const std::string& reason);
-
 class VdbWriter {
   public:
     // All arguments must outlive the writer. `progress` may be null.
@@ -63,6 +61,15 @@ class VdbWriter {
     bool cancelled() const { return progress_ != nullptr && progress_->cancelled(); }
     bool going_well() const { return !error_ && file_.error() == 0 && !cancelled(); }
     void report(double fraction);
+    // Does some work. What it throws becomes the error.
+    template <class Work>
+    void attempt(std::optional<config::Diagnostic>& error, const Work& work) const {
+        try {
+            work();
+        } catch (const std::exception& failure) {
+            error = cannot_write(path_, failure.what());
+        }
+    }
 
     void take_all_parts();
     void survey(int threads);

@@ -58,8 +58,8 @@ Outcome<bool> write_vol_file(const FileContent& content, const fs::path& path) {
     output.write({reinterpret_cast<const char*>(&header), sizeof header});
     std::string floats;
     const bool complete =
-        write_texels(content, content.level, TexelPadding::none, [&](std::string_view texels) {
-            const auto bytes = static_cast<std::size_t>(bytes_per_value(volume.pixel_type));
+        write_texels(content, content.level, [&](std::string_view texels) {
+            const auto bytes = bytes_per_value(volume.pixel_type);
             const std::size_t count = texels.size() / bytes;
             floats.resize(count * sizeof(float));
             load_values(texels.data(), count, volume.pixel_type,
@@ -70,54 +70,51 @@ Outcome<bool> write_vol_file(const FileContent& content, const fs::path& path) {
     return output.finished(complete);
 }
 
-config::Diagnostic damaged_vol_file(const fs::path& path, const std::string& reason) {
-    return file_error("E0304", path.string(),
-                      fmt::format("skybake cannot read `{}` as a grid volume of Mitsuba: {}",
-                                  path.string(), reason));
+config::Diagnostic damaged_vol_file(const FileInput& file, const std::string& reason) {
+    const std::string path = file.path().string();
+    return file_error(
+        "E0304", path,
+        fmt::format("skybake cannot read `{}` as a grid volume of Mitsuba: {}", path, reason));
 }
 
-Outcome<VolHeader> read_vol_header(FileInput& file, const fs::path& path) {
+Outcome<VolHeader> read_vol_header(FileInput& file) {
     VolHeader header;
     const auto done = file.read(0, reinterpret_cast<char*>(&header), sizeof header);
     if (!done) return file.diagnostic();
-    if (*done < sizeof header) return damaged_vol_file(path, "it ends within its head");
+    if (*done < sizeof header) return damaged_vol_file(file, "it ends within its head");
     if (header.magic != VolHeader{}.magic || header.version != VolHeader{}.version) {
-        return damaged_vol_file(path, "it does not begin with `VOL` and version 3");
+        return damaged_vol_file(file, "it does not begin with `VOL` and version 3");
     }
     if (header.encoding != VolHeader{}.encoding) {
-        return damaged_vol_file(path, fmt::format("its encoding is {}", header.encoding));
+        return damaged_vol_file(file, fmt::format("its encoding is {}", header.encoding));
     }
     for (std::size_t a = 0; a < 3; ++a) {
         if (std::isfinite(header.first[a]) && header.last[a] > header.first[a]) continue;
-        return damaged_vol_file(path, "its bounds are empty");
+        return damaged_vol_file(file, "its bounds are empty");
     }
     return {header, {}};
 }
 
-Outcome<FileFacts> inspect_vol(const fs::path& path) {
-    Outcome<FileInput> file = FileInput::open(path);
-    if (!file.value) return {{}, std::move(file.diagnostics)};
-    const Outcome<VolHeader> header = read_vol_header(*file.value, path);
+Outcome<FileFacts> inspect_vol(FileInput& file) {
+    const Outcome<VolHeader> header = read_vol_header(file);
     if (!header.value) return {{}, header.diagnostics};
     FileFacts facts;
     facts.channels = static_cast<std::size_t>(std::max(0, header.value->channels));
     return {std::move(facts), {}};
 }
 
-Outcome<bool> read_vol_file(const fs::path& path, const FileShape& shape, int,
+Outcome<bool> read_vol_file(FileInput& file, const FileShape& shape, int,
                             const VoxelVisitor& visit) {
-    Outcome<FileInput> file = FileInput::open(path);
-    if (!file.value) return {{}, std::move(file.diagnostics)};
-    const Outcome<VolHeader> header = read_vol_header(*file.value, path);
+    const Outcome<VolHeader> header = read_vol_header(file);
     if (!header.value) return {{}, header.diagnostics};
     const VolHeader wanted = vol_header(shape.size, shape.channels);
-    const StoredTexelRange range = {sizeof(VolHeader), shape.size, shape.channels, shape.channels,
-                                    config::PixelType::float32};
+    const StoredTexelRange texels = {shape.size, shape.channels, shape.channels,
+                                     config::PixelType::float32};
     if (header.value->size != wanted.size || header.value->channels != wanted.channels ||
-        file.value->size() != sizeof(VolHeader) + range.bytes()) {
-        return other_size(path);
+        file.size() != sizeof(VolHeader) + texels.bytes()) {
+        return other_size(file.path());
     }
-    return read_texels(*file.value, range, visit);
+    return read_texels(texel_input(file, sizeof(VolHeader)), texels, visit);
 }
 
 }  // namespace
