@@ -26,10 +26,7 @@ std::pair<PhaseFunction, double> cut_down(const PhaseFunction& phase) {
     auto wide = std::make_shared<TabulatedPhase>(normalised_phase(forward, table.backward));
     // Straight back nothing was cut: there the table only was scaled.
     const double share = table.backward.front() / wide->backward.front();
-    PhaseFunction function;
-    function.g = phase.g;
-    function.table = std::move(wide);
-    return {std::move(function), share};
+    return {PhaseFunction{.table = std::move(wide)}, share};
 }
 
 // Takes what goes into the peak out of both coefficients.
@@ -146,14 +143,10 @@ SkyMedium scattering_only(SkyMedium medium, const std::vector<std::string>& laye
 }
 
 Spectrum scattering_depth(const SkyLayer& layer, double altitude_km, double s_km) {
-    const Medium& alone = layer.alone;
-    const bool is_exponential = !alone.exponential_layers.empty();
-    const Spectrum& scattering = is_exponential ? alone.exponential_layers[0].scattering_per_km
-                                                : alone.piecewise_layers[0].scattering_per_km;
-    const Spectrum& extinction = is_exponential ? alone.exponential_layers[0].extinction_per_km
-                                                : alone.piecewise_layers[0].extinction_per_km;
+    const Coefficients full = full_coefficients(layer);
     // The same share of extinction at all altitudes.
-    return share_of(scattering, extinction) * optical_depth_to_top(alone, altitude_km, s_km);
+    return share_of(full.scattering_per_km, full.extinction_per_km) *
+           optical_depth_to_top(layer.alone, altitude_km, s_km);
 }
 
 }  // namespace skybake

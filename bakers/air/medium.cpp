@@ -187,6 +187,15 @@ SkyMedium make_sky_medium(const config::Atmosphere& atmosphere) {
     return medium;
 }
 
+Coefficients full_coefficients(const SkyLayer& layer) {
+    const auto of = [](const auto& air) {
+        return Coefficients{air.scattering_per_km, air.extinction_per_km};
+    };
+    const Medium& alone = layer.alone;
+    return alone.exponential_layers.empty() ? of(alone.piecewise_layers.front())
+                                            : of(alone.exponential_layers.front());
+}
+
 Spectrum first_phase_values(const SkyLayer& layer, double one_minus_cosine,
                             double one_plus_cosine) {
     if (layer.first_phase.functions.empty()) {

@@ -96,6 +96,9 @@ struct SkyLayer {
     bool operator==(const SkyLayer&) const = default;
 };
 
+// Returns the layer's coefficients where its density is 1.
+Coefficients full_coefficients(const SkyLayer& layer);
+
 // Returns the phase function's values for light that is scattered for the first time, per channel,
 // in 1/sr.
 Spectrum first_phase_values(const SkyLayer& layer, double one_minus_cosine, double one_plus_cosine);

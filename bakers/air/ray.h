@@ -53,6 +53,13 @@ inline double altitude_along_km(const Shell& shell, double altitude_km, double s
     return altitude_km + gain_of_square_km(r, q);
 }
 
+// Returns the same; rounding does not lead out of the shell.
+inline double altitude_in_shell_km(const Shell& shell, double altitude_km, double s_km,
+                                   double distance_km) {
+    return std::clamp(altitude_along_km(shell, altitude_km, s_km, distance_km), 0.0,
+                      shell.thickness_km);
+}
+
 // Returns the distance to the last point of a ray that is `gain_km` >= 0 above its start.
 inline double climb_distance_km(const Shell& shell, double altitude_km, double s_km,
                                 double gain_km) {

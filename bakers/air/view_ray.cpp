@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "bakers/air/quadrature_rules.h"
+#include "bakers/math/quadrature.h"
 #include "bakers/math/transcendental.h"
 
 namespace skybake {
@@ -22,11 +22,6 @@ constexpr double kLastLight = 14;
 // Cells that scatter less than this share of the light from all directions are not refined for
 // twilight.
 constexpr double kLeastTwilightShare = 1e-6;
-
-double altitude_on(const Shell& shell, const ViewRay& ray, double distance_km) {
-    return std::clamp(altitude_along_km(shell, ray.altitude_km, ray.s_km, distance_km), 0.0,
-                      shell.thickness_km);  // rounding at the ends of the ray
-}
 
 // Integrates the cells between neighbouring breaks; the first break is the ray's beginning.
 std::vector<RayCell> integrate_cells(const Medium& medium, const ViewRay& ray,
@@ -139,6 +134,29 @@ ViewRay trace_view_ray(const Medium& medium, const std::vector<double>& break_al
         medium, ray, ray_breaks(shell, altitude_km, s_km, ray.length_km, break_altitudes_km));
     halve_cells(medium, ray, [](const RayCell& cell) { return cell.opacity > kLargestOpacity; });
     return ray;
+}
+
+RaySphere trace_all_directions(const Medium& medium, const std::vector<double>& break_altitudes_km,
+                               double altitude_km, const std::vector<ZenithPart>& parts) {
+    const double r = medium.ground_radius_km + altitude_km;
+    RaySphere sphere;
+    for (const ZenithPart& part : parts) {
+        const QuadratureRule rule = gauss_legendre(part.nodes);
+        const double range = part.to - part.from;
+        for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
+            // mu = from + range x^2 puts nodes where paths grow long.
+            const double x = rule.nodes[i];
+            const double mu = part.from + range * x * x;
+            const double weight = rule.weights[i] * x * std::fabs(range);
+            sphere.directions.push_back({mu, weight,
+                                         trace_view_ray(medium, break_altitudes_km, altitude_km,
+                                                        r * mu, part.below_horizon)});
+            for (const RayCell& cell : sphere.directions.back().ray.cells) {
+                sphere.whole += weight * (cell.near_weight + cell.far_weight);
+            }
+        }
+    }
+    return sphere;
 }
 
 void refine_view_ray(const Medium& medium, const Spectrum& whole, double tolerance, ViewRay& ray) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bakers/air/medium.h"
+#include "bakers/air/quadrature_rules.h"
 #include "bakers/air/ray.h"
 
 namespace skybake {
@@ -35,6 +36,31 @@ struct ViewRay {
 // scatters.
 ViewRay trace_view_ray(const Medium& medium, const std::vector<double>& break_altitudes_km,
                        double altitude_km, double s_km, bool hits_ground);
+
+// Returns the altitude of a point of the ray.
+inline double altitude_on(const Shell& shell, const ViewRay& ray, double distance_km) {
+    return altitude_in_shell_km(shell, ray.altitude_km, ray.s_km, distance_km);
+}
+
+// Rays from one altitude into all directions.
+struct RaySphere {
+    struct Direction {
+        double mu = 0;
+        double weight = 0;  // share of the sphere of directions; they sum to 1
+        ViewRay ray;
+    };
+    std::vector<Direction> directions;
+    Spectrum whole{};  // scattering over all directions
+
+    // Returns the scattering of which the cells of a direction have shares.
+    Spectrum whole_per_ray(const Direction& direction) const {
+        return whole / (direction.weight * static_cast<double>(directions.size()));
+    }
+};
+
+// Traces rays into the directions of each part of the zenith angle by Gauss's rule.
+RaySphere trace_all_directions(const Medium& medium, const std::vector<double>& break_altitudes_km,
+                               double altitude_km, const std::vector<ZenithPart>& parts);
 
 // Halves cells until (share of the scattering) * variation^2 <= tolerance in each, which bounds the
 // error of taking sunlight as linear over a cell. `whole` is the scattering of which shares are

@@ -83,8 +83,7 @@ glm::dmat3 bradford(glm::dvec3 from_white_xyz, glm::dvec3 to_white_xyz) {
 glm::dmat3 from_xyz(ColorSpace space, White white, glm::dvec3 sun_xyz) {
     const glm::dmat3 matrix = from_xyz(space);
     if (white == White::own) return matrix;
-    if (white == White::sun_per_channel || space == ColorSpace::xyz)
-        return diagonal(1.0 / (matrix * sun_xyz)) * matrix;
+    if (space == ColorSpace::xyz) return diagonal(1.0 / (matrix * sun_xyz)) * matrix;
     return matrix * bradford(sun_xyz, xyz_of(primaries_of(space).white));
 }
 

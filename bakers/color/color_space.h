@@ -2,19 +2,16 @@
 //
 // A sky table tells radiance per solar irradiance. There are these conventions of white:
 //
-//   sun              The sun outside the air is white: (1, 1, 1). Light that air and ground have
-//                    not coloured is neutral, as photographs with the camera set to "daylight"
-//                    show it, and a grey transmittance gives equal channels. The sun's XYZ is
-//                    carried to the space's white by Bradford's chromatic adaptation.
-//   sun_per_channel  The same white, but each channel of the space is divided by the sun's. It
-//                    needs no cone space, and it is what multiplying a table by a sun of (1, 1, 1)
-//                    means. Colours far from grey differ from Bradford's by a few percent.
-//   own              The space's own white point (D65, or ACES white) stays white, without
-//                    adaptation. The sun outside the air has the colour of its 5800 K, about
-//                    (1.10, 0.98, 0.94) in sRGB. It is for renderers that show absolute colours.
+//   sun  The sun outside the air is white: (1, 1, 1). Light that air and ground have not coloured is
+//        neutral, as photographs with the camera set to "daylight" show it, and a grey
+//        transmittance gives equal channels. The sun's XYZ is carried to the space's white by
+//        Bradford's chromatic adaptation.
+//   own  The space's own white point (D65, or ACES white) stays white, without adaptation. The sun
+//        outside the air has the colour of its 5800 K, about (1.10, 0.98, 0.94) in sRGB. It is for
+//        renderers that show absolute colours.
 //
-// XYZ has no white of its own: there `own` leaves tristimulus values as they are, and both others
-// divide by the sun's, so that the sun is (1, 1, 1) too.
+// XYZ has no white of its own: there `own` leaves tristimulus values as they are, and `sun` divides
+// by the sun's, so that the sun is (1, 1, 1) too.
 #pragma once
 
 #include <glm/ext/matrix_double3x3.hpp>
@@ -30,7 +27,7 @@ namespace skybake {
 
 using config::ColorSpace;
 
-enum class White { sun, sun_per_channel, own };
+enum class White { sun, own };
 
 // All but none, which has no primaries.
 std::span<const ColorSpace> all_color_spaces();

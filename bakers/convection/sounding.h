@@ -38,7 +38,6 @@ struct Specification {
 
 // Numbers of a level's air.
 struct Level {
-    float height_m = 0;  // of its centre above the base
     float pressure_pa = 0;
     float exner = 1;                      // temperature over potential temperature
     float heat = 0;                       // potential temperature less kReference, K
@@ -55,9 +54,5 @@ struct Sounding {
 };
 
 Sounding make_sounding(const Specification& wanted);
-
-// Saturation mixing ratio of vapour over water, g/kg (Bolton 1980, "The computation of equivalent potential
-// temperature", equation 10).
-double saturation_water(double temperature_k, double pressure_pa);
 
 }  // namespace skybake::convection

@@ -7,7 +7,6 @@
 
 #include "bakers/air/quadrature_rules.h"
 #include "bakers/air/ray.h"
-#include "bakers/math/quadrature.h"
 #include "bakers/math/transcendental.h"
 
 namespace skybake {
@@ -77,39 +76,15 @@ RowQuadrature make_row_quadrature(const Medium& medium, const std::vector<double
     const double horizon = -horizon_distance_km(shell, altitude_km) / r;
     const double dip = std::min(1.0, std::sqrt(shell.thickness_km / shell.ground_radius_km));
 
-    struct Direction {
-        double mu;
-        double weight;
-        ViewRay ray;
-    };
-    std::vector<Direction> directions;
-    Spectrum whole{};  // scattering over all directions
-    for (const ZenithPart& part :
-         zenith_parts(horizon, altitude_km / shell.thickness_km, level.zenith_nodes)) {
-        const QuadratureRule rule = gauss_legendre(part.nodes);
-        const double range = part.to - part.from;
-        for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
-            // mu = from + range x^2 puts nodes where paths grow long.
-            const double x = rule.nodes[i];
-            const double mu = part.from + range * x * x;
-            const double weight = rule.weights[i] * x * std::fabs(range);
-            directions.push_back(
-                {mu, weight,
-                 trace_view_ray(medium, altitudes_km, altitude_km, r * mu, part.below_horizon)});
-            for (const RayCell& cell : directions.back().ray.cells) {
-                whole += weight * (cell.near_weight + cell.far_weight);
-            }
-        }
-    }
-
+    RaySphere sphere = trace_all_directions(
+        medium, altitudes_km, altitude_km,
+        zenith_parts(horizon, altitude_km / shell.thickness_km, level.zenith_nodes));
     RowQuadrature row;
     row.altitude_km = altitude_km;
-    for (Direction& direction : directions) {
+    for (RaySphere::Direction& direction : sphere.directions) {
         ViewRay& ray = direction.ray;
         const double sine = std::sqrt(std::max(0.0, (1 - direction.mu) * (1 + direction.mu)));
-        // This ray's weights are shares of it.
-        const Spectrum whole_per_ray =
-            whole / (direction.weight * static_cast<double>(directions.size()));
+        const Spectrum whole_per_ray = sphere.whole_per_ray(direction);
         refine_view_ray(medium, whole_per_ray, level.ray_tolerance, ray);
         WeightedRay weighted;
         weighted.mu = direction.mu;

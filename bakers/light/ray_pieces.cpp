@@ -44,11 +44,6 @@ const NodeShares& shares_up_to_nodes() {
 }
 
 // Returns the altitude of a node of the ray that starts at altitude_km.
-double altitude_of(const Shell& shell, double altitude_km, double s_km, double distance_km) {
-    return std::clamp(altitude_along_km(shell, altitude_km, s_km, distance_km), 0.0,
-                      shell.thickness_km);  // rounding
-}
-
 class Cutter {
   public:
     Cutter(const Medium& medium, double altitude_km, double s_km)
@@ -63,7 +58,7 @@ class Cutter {
         for (std::size_t i = 0; i < kNodes; ++i) {
             Node& node = piece.nodes[i];
             node.distance_km = from_km + width * gauss_rule().nodes[i];
-            node.altitude_km = altitude_of(shell_, altitude_km_, s_km_, node.distance_km);
+            node.altitude_km = altitude_in_shell_km(shell_, altitude_km_, s_km_, node.distance_km);
             node.width_km = width * gauss_rule().weights[i];
             extinction[i] = extinction_at(medium_, node.altitude_km);
             depth_to += node.width_km * extinction[i];
@@ -135,7 +130,7 @@ std::array<StretchNode, kNodes> stretch(const Shell& shell, double altitude_km, 
     for (std::size_t j = 0; j < kNodes; ++j) {
         StretchNode& node = nodes[j];
         node.distance_km = from_km + (to_km - from_km) * gauss_rule().nodes[j];
-        node.altitude_km = altitude_of(shell, altitude_km, s_km, node.distance_km);
+        node.altitude_km = altitude_in_shell_km(shell, altitude_km, s_km, node.distance_km);
         node.width_km = (to_km - from_km) * gauss_rule().weights[j];
         const double share = (node.distance_km - piece_from_km) / (piece_to_km - piece_from_km);
         for (std::size_t i = 0; i < kNodes; ++i)

@@ -108,8 +108,7 @@ std::array<Spectrum, ray_pieces::kNodes> SkyIntegrator::depths_between(
 }
 
 double SkyIntegrator::altitude_on(const SkyRay& ray, double distance_km) const {
-    return std::clamp(altitude_along_km(shell_, ray.altitude_km, ray.s_km, distance_km), 0.0,
-                      shell_.thickness_km);  // rounding
+    return altitude_in_shell_km(shell_, ray.altitude_km, ray.s_km, distance_km);
 }
 
 std::array<Spectrum, ray_pieces::kNodes> SkyIntegrator::sunlight(const NodeValues& altitudes_km,

@@ -81,7 +81,7 @@ void find_bumps(const CellField& field, LatticePlanes& planes, Block& block) {
     }
 }
 
-void fill_squared_x(const CellField& field, const Block& block, BumpScratch& scratch) {
+void fill_squared_x(const CellField& field, const Block& block, AlignedFloats& squared_x) {
     const Integers integers;
     const AxisCells& axis = field.cells[0];
     const auto first = static_cast<std::size_t>(block.box.origin[0]);
@@ -93,7 +93,7 @@ void fill_squared_x(const CellField& field, const Block& block, BumpScratch& scr
         const Bump& bump = block.bumps[k];
         hn::Store(squared_along(fraction, hn::Set(kFloats, bump.point[0]),
                                 hn::Sub(cell, hn::Set(kFloats, bump.cell[0]))),
-                  kFloats, scratch.squared_x.data() + k * kLanes);
+                  kFloats, squared_x.data() + k * kLanes);
     }
 }
 
@@ -112,10 +112,10 @@ void fill_line(const CellField& field, const Block& block, std::size_t axis, int
     }
 }
 
-void fill_block(const CellField& field, LatticePlanes& planes, Block& block, BumpScratch& scratch,
-                const CellTarget& target) {
+void fill_block(const CellField& field, LatticePlanes& planes, Block& block,
+                AlignedFloats& squared_x, const CellTarget& target) {
     find_bumps(field, planes, block);
-    fill_squared_x(field, block, scratch);
+    fill_squared_x(field, block, squared_x);
     const VoxelBox& box = block.box;
     std::array<LineSquares, kSlices> squared_z;
     LineSquares squared_y;
@@ -128,9 +128,8 @@ void fill_block(const CellField& field, LatticePlanes& planes, Block& block, Bum
             const LineSquares& along_z = squared_z[static_cast<std::size_t>(z)];
             GreatestBumpsVector<FloatVector> bumps{hn::Zero(kFloats), hn::Zero(kFloats)};
             for (std::size_t k = 0; k < block.count; ++k) {
-                const auto across =
-                    hn::Add(hn::Load(kFloats, scratch.squared_x.data() + k * kLanes),
-                            hn::Set(kFloats, squared_y[k]));
+                const auto across = hn::Add(hn::Load(kFloats, squared_x.data() + k * kLanes),
+                                            hn::Set(kFloats, squared_y[k]));
                 bumps.add(hn::Add(across, hn::Set(kFloats, along_z[k])),
                           hn::Set(kFloats, block.bumps[k].height));
             }
@@ -142,9 +141,9 @@ void fill_block(const CellField& field, LatticePlanes& planes, Block& block, Bum
 }  // namespace
 
 void fill_blocks(const CellField& field, const VoxelBox& chunk, LatticePlanes& planes,
-                 BumpScratch& scratch, const CellTarget& target) {
+                 AlignedFloats& squared_x, const CellTarget& target) {
     constexpr std::array<int, 3> most = {static_cast<int>(kLanes), kRows, kSlices};
-    scratch.squared_x.resize(kMostPoints * kLanes);
+    squared_x.resize(kMostPoints * kLanes);
     Block block;
     const auto place = [&](std::size_t axis, int first) {
         block.box.origin[axis] = chunk.origin[axis] + first;
@@ -158,7 +157,7 @@ void fill_blocks(const CellField& field, const VoxelBox& chunk, LatticePlanes& p
             place(1, y);
             for (int x = 0; x < chunk.size[0]; x += most[0]) {
                 place(0, x);
-                fill_block(field, planes, block, scratch, target);
+                fill_block(field, planes, block, squared_x, target);
             }
         }
     }
@@ -186,8 +185,8 @@ bool has_wide_bumps(const CellField& field) {
 }
 
 void fill_bumps(const CellField& field, const VoxelBox& chunk, LatticePlanes& planes,
-                BumpScratch& scratch, const CellTarget& target) {
-    HWY_DYNAMIC_DISPATCH(fill_blocks)(field, chunk, planes, scratch, target);
+                AlignedFloats& squared_x, const CellTarget& target) {
+    HWY_DYNAMIC_DISPATCH(fill_blocks)(field, chunk, planes, squared_x, target);
 }
 
 }  // namespace skybake::noise

@@ -77,15 +77,11 @@ void fill_wide_cells(const CellField& field, const VoxelBox& chunk, LatticePlane
 // a voxel's nearest points are farther away than the cells that were not looked at, its vector is
 // made again with another ring of cells.
 
-// Squared distances of a tile's rows and slices from points, reused from call to call.
-struct NarrowCellScratch {
-    AlignedFloats squares;
-};
-
 // Writes the field over the chunk's voxels, with planes that make_cell_planes made. The field has at
-// most one cell per voxel.
+// most one cell per voxel. `squares` is room for squared distances of a tile's rows and slices from
+// points, reused from call to call.
 void fill_narrow_cells(const CellField& field, const VoxelBox& chunk, LatticePlanes& planes,
-                       NarrowCellScratch& scratch, const CellTarget& target);
+                       AlignedFloats& squares, const CellTarget& target);
 
 // --- Bumps ----------------------------------------------------------------------------------------
 
@@ -96,19 +92,15 @@ void fill_narrow_cells(const CellField& field, const VoxelBox& chunk, LatticePla
 // voxels of the block share them. The result equals noise_specification.h bit for bit: the two
 // greatest bumps do not depend on the order of the points, nor on bumps that have ended.
 
-// The points of a block and their squared distances, reused from call to call.
-struct BumpScratch {
-    AlignedFloats squared_x;  // [point][lane]
-};
-
 // Makes the lattice for chunks within `box` of at most `chunk_depth` slices.
 LatticePlanes make_bump_planes(const CellField& field, const VoxelBox& box, int chunk_depth);
 
 // Returns whether cells are so wide that sharing points pays: four voxels or more along each axis.
 bool has_wide_bumps(const CellField& field);
 
-// Writes the field, which has wide bumps, over the chunk's voxels.
+// Writes the field, which has wide bumps, over the chunk's voxels. `squared_x` is room for squared
+// distances along x of a block's points, [point][lane], reused from call to call.
 void fill_bumps(const CellField& field, const VoxelBox& chunk, LatticePlanes& planes,
-                BumpScratch& scratch, const CellTarget& target);
+                AlignedFloats& squared_x, const CellTarget& target);
 
 }  // namespace skybake::noise

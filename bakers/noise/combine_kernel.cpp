@@ -165,11 +165,6 @@ HWY_EXPORT(pack);
 HWY_EXPORT(add_shaped);
 HWY_EXPORT(shift);
 
-SumShift sum_shift(const ChannelPlan& channel) {
-    const bool centered = channel.type != NoiseType::curl && channel.fractal == NoiseFractal::fbm;
-    return centered ? SumShift{0.5f, 0.5f} : SumShift{};
-}
-
 void combine_channel(const ChannelPlan& channel, const float* gradient,
                      const std::vector<const float*>& fields, std::size_t count, float* out) {
     HWY_DYNAMIC_DISPATCH(combine)(channel, gradient, fields, count, out);

@@ -15,13 +15,6 @@ namespace skybake::noise {
 void combine_channel(const ChannelPlan& channel, const float* gradient,
                      const std::vector<const float*>& fields, std::size_t count, float* out);
 
-// The transformation of a gradient stack's sum: sum * scale + offset.
-struct SumShift {
-    float scale = 1;
-    float offset = 0;
-};
-SumShift sum_shift(const ChannelPlan& channel);
-
 // Computes one row of the packed channel from the rows of R, G, B and, for shape, A. `out` may be
 // one of them.
 void pack_channels(NoisePacking pack, const std::array<const float*, 4>& channels,

@@ -17,6 +17,11 @@ namespace skybake::noise::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
+HWY_INLINE FloatVector blend(FloatVector a, FloatVector weight_a, FloatVector b,
+                             FloatVector weight_b) {
+    return hn::Add(hn::Mul(a, weight_a), hn::Mul(b, weight_b));
+}
+
 struct MovingGradientVector {
     FloatVector x, y, z, rest;
 };
@@ -26,8 +31,6 @@ HWY_INLINE MovingGradientVector gradient_at(const GradientBasis& time, const Row
     const Floats d;
     const Gradient4Vector near = lattice_gradient_4(before, scaled_x);
     const Gradient4Vector far = lattice_gradient_4(after, scaled_x);
-    const auto blend = [](FloatVector a, FloatVector weight_a, FloatVector b, FloatVector weight_b)
-                           HWY_ATTR { return hn::Add(hn::Mul(a, weight_a), hn::Mul(b, weight_b)); };
     const auto weight_0 = hn::Set(d, time.weight_0);
     const auto weight_1 = hn::Set(d, time.weight_1);
     return {blend(near.x, weight_0, far.x, weight_1), blend(near.y, weight_0, far.y, weight_1),
@@ -56,11 +59,6 @@ HWY_INLINE Basis bases_from(const AxisBasis& axis, std::size_t voxel) {
 struct CellBasis {
     Basis x, y, z;
 };
-
-HWY_INLINE FloatVector blend(FloatVector a, FloatVector weight_a, FloatVector b,
-                             FloatVector weight_b) {
-    return hn::Add(hn::Mul(a, weight_a), hn::Mul(b, weight_b));
-}
 
 struct BlendedAlongZ {
     FloatVector distance, x, y;

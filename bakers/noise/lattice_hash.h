@@ -19,9 +19,6 @@
 
 namespace skybake::noise {
 
-using skybake::kGolden64;
-using skybake::mix64;
-
 // The function lowbias32 of Wellons's hash-prospector, whose bias is 0.17.
 inline std::uint32_t mix32(std::uint32_t h) {
     h = (h ^ (h >> 16)) * 0x7feb352du;
@@ -45,6 +42,10 @@ enum class Purpose : std::uint32_t {
     warp_y,
     warp_z
 };
+// The three of a curl's potential, and of a warp.
+inline constexpr std::array kPotentials = {Purpose::potential_x, Purpose::potential_y,
+                                           Purpose::potential_z};
+inline constexpr std::array kWarps = {Purpose::warp_x, Purpose::warp_y, Purpose::warp_z};
 
 inline std::uint64_t octave_key(std::uint64_t noise_seed, std::uint64_t channel_seed,
                                 Purpose purpose, const std::array<int, 3>& frequency,

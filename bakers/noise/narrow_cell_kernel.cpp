@@ -125,9 +125,9 @@ template <std::size_t kRows, std::size_t kDepth, bool kSecond>
 class TileFiller {
   public:
     TileFiller(const CellField& field, const VoxelBox& chunk, LatticePlanes& planes,
-               NarrowCellScratch& scratch, const CellTarget& target)
-        : field_(field), chunk_(chunk), planes_(planes), scratch_(scratch), target_(target) {
-        scratch_.squares.resize(kMostRings * squares_of_rings());
+               AlignedFloats& squares, const CellTarget& target)
+        : field_(field), chunk_(chunk), planes_(planes), squares_(squares), target_(target) {
+        squares_.resize(kMostRings * squares_of_rings());
     }
 
     void fill() {
@@ -226,7 +226,7 @@ class TileFiller {
         const CellPoints points(field_);
         const std::int64_t cell_y = field_.cells[1].cell[static_cast<std::size_t>(y.first)];
         const std::int64_t cell_z = field_.cells[2].cell[static_cast<std::size_t>(z.first)];
-        float* squares = scratch_.squares.data() + (kRings - 1) * squares_of_rings();
+        float* squares = squares_.data() + (kRings - 1) * squares_of_rings();
         Lines lines;
         for (int k = -kRings; k <= kRings; ++k) {
             const std::size_t slot = slot_of_plane(cell_z + k, planes_, points);
@@ -255,38 +255,38 @@ class TileFiller {
     const CellField& field_;
     const VoxelBox& chunk_;
     LatticePlanes& planes_;
-    NarrowCellScratch& scratch_;
+    AlignedFloats& squares_;
     const CellTarget& target_;
 };
 
 // Tiles are no larger than cells and chunks are.
 template <bool kSecond>
 void fill_as(const CellField& field, const VoxelBox& chunk, LatticePlanes& planes,
-             NarrowCellScratch& scratch, const CellTarget& target) {
+             AlignedFloats& squares, const CellTarget& target) {
     const auto within_a_cell = [&](std::size_t axis) {
         return std::min(voxels_per_cell(field, axis), static_cast<double>(chunk.size[axis]));
     };
     const double rows = within_a_cell(1);
     const double depth = within_a_cell(2);
     if (depth >= 3) {
-        TileFiller<2, 4, kSecond>(field, chunk, planes, scratch, target).fill();
+        TileFiller<2, 4, kSecond>(field, chunk, planes, squares, target).fill();
     } else if (depth > 1) {
-        TileFiller<2, 2, kSecond>(field, chunk, planes, scratch, target).fill();
+        TileFiller<2, 2, kSecond>(field, chunk, planes, squares, target).fill();
     } else if (rows >= 3) {
-        TileFiller<4, 1, kSecond>(field, chunk, planes, scratch, target).fill();
+        TileFiller<4, 1, kSecond>(field, chunk, planes, squares, target).fill();
     } else {
-        TileFiller<1, 1, kSecond>(field, chunk, planes, scratch, target).fill();
+        TileFiller<1, 1, kSecond>(field, chunk, planes, squares, target).fill();
     }
 }
 
 }  // namespace
 
 void fill_narrow(const CellField& field, const VoxelBox& chunk, LatticePlanes& planes,
-                 NarrowCellScratch& scratch, const CellTarget& target) {
+                 AlignedFloats& squares, const CellTarget& target) {
     if (field.feature == config::WorleyFeature::f1) {
-        fill_as<false>(field, chunk, planes, scratch, target);
+        fill_as<false>(field, chunk, planes, squares, target);
     } else {
-        fill_as<true>(field, chunk, planes, scratch, target);
+        fill_as<true>(field, chunk, planes, squares, target);
     }
 }
 
@@ -299,8 +299,8 @@ namespace skybake::noise {
 HWY_EXPORT(fill_narrow);
 
 void fill_narrow_cells(const CellField& field, const VoxelBox& chunk, LatticePlanes& planes,
-                       NarrowCellScratch& scratch, const CellTarget& target) {
-    HWY_DYNAMIC_DISPATCH(fill_narrow)(field, chunk, planes, scratch, target);
+                       AlignedFloats& squares, const CellTarget& target) {
+    HWY_DYNAMIC_DISPATCH(fill_narrow)(field, chunk, planes, squares, target);
 }
 
 }  // namespace skybake::noise

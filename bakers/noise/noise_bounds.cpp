@@ -94,36 +94,39 @@ Interval remapped_bounds(const NoiseChannel& channel, const Interval& bounds) {
         {low_out + (bounds[0] - low_in) * slope, low_out + (bounds[1] - low_in) * slope});
 }
 
+double smooth_step(const std::array<double, 2>& edges, double value) {
+    const double t = std::clamp((value - edges[0]) / (edges[1] - edges[0]), 0.0, 1.0);
+    return t * t * (3 - 2 * t);
+}
+
 // A step may be so steep that it makes much of what kernels are off by, which is 2e-7 of their
 // values before the remap: the step is taken of an interval that has room for it.
 Interval stepped_bounds(const NoiseChannel& channel, const Interval& bounds) {
     constexpr double kRoom = 1e-6;
     const double low_in = channel.remap[0];
     const double high_in = channel.remap[1];
-    const double from = (*channel.smoothstep)[0];
-    const double to = (*channel.smoothstep)[1];
+    const std::array<double, 2>& edges = *channel.smoothstep;
     const double slope = std::fabs((channel.remap[3] - channel.remap[2]) / (high_in - low_in));
-    const auto step = [&](double value) {
-        const double t = std::clamp((value - from) / (to - from), 0.0, 1.0);
-        return t * t * (3 - 2 * t);
-    };
     const auto room = [&](double value) {
         const double largest = std::max({1.0, std::fabs(low_in), std::fabs(high_in)});
-        return kRoom * (slope * largest + std::max({1.0, std::fabs(value), std::fabs(from)}));
+        return kRoom * (slope * largest + std::max({1.0, std::fabs(value), std::fabs(edges[0])}));
     };
-    return {step(bounds[0] - room(bounds[0])), step(bounds[1] + room(bounds[1]))};
+    return {smooth_step(edges, bounds[0] - room(bounds[0])),
+            smooth_step(edges, bounds[1] + room(bounds[1]))};
+}
+
+// What invert, bias and clamp make of a bound.
+double finished(const NoiseChannel& channel, double bound) {
+    if (channel.invert) bound = 1 - bound;
+    // Bias leaves 0, 1 and what is beyond where it is, and is monotonic.
+    if (bound > 0 && bound < 1) bound /= (1 / channel.bias - 2) * (1 - bound) + 1;
+    return std::clamp(bound, channel.clamp[0], channel.clamp[1]);
 }
 
 Interval channel_bounds(const NoiseChannel& channel, bool moves) {
     Interval bounds = remapped_bounds(channel, plain_bounds(channel, moves));
     if (channel.smoothstep) bounds = stepped_bounds(channel, bounds);
-    for (double& bound : bounds) {
-        if (channel.invert) bound = 1 - bound;
-        // Bias leaves 0, 1 and what is beyond where it is, and is monotonic.
-        if (bound > 0 && bound < 1) bound /= (1 / channel.bias - 2) * (1 - bound) + 1;
-        bound = std::clamp(bound, channel.clamp[0], channel.clamp[1]);
-    }
-    return in_order(bounds);
+    return in_order({finished(channel, bounds[0]), finished(channel, bounds[1])});
 }
 
 Interval weighted(const Interval& a, const Interval& b, const Interval& c) {
@@ -149,6 +152,23 @@ std::array<double, 2> value_bounds(const Noise& noise, std::size_t channel) {
     const Interval w = weighted(channels[1], channels[2], channels[3]);
     if (!(w[1] < 2) || !std::isfinite(channels[0][1])) return kEverything;
     return over_corners(channels[0], w, [](double r, double v) { return (r + 1 - v) / (2 - v); });
+}
+
+std::array<double, 2> nominal_range(const NoiseChannel& channel) {
+    Interval range = {0, 1};
+    if (channel.type == NoiseType::curl) range = {-1, 1};
+    if (channel.type == NoiseType::constant)
+        range = {std::min(0.0, channel.value), std::max(1.0, channel.value)};
+    const auto& [low_in, high_in, low_out, high_out] = channel.remap;
+    for (double& bound : range) {
+        bound = low_out + (bound - low_in) * (high_out - low_out) / (high_in - low_in);
+        if (channel.smoothstep) bound = smooth_step(*channel.smoothstep, bound);
+        bound = finished(channel, bound);
+    }
+    range = in_order(range);
+    // One value alone: a range about it.
+    if (range[0] == range[1]) range = {range[0] - 0.5, range[1] + 0.5};
+    return range;
 }
 
 }  // namespace skybake::noise

@@ -135,11 +135,11 @@ class BoxFiller {
         }
         const CellTarget target = cell_target(index, chunk);
         if (field.kind == CellKind::alligator) {
-            fill_bumps(field, chunk, *lattices_[index], bumps_, target);
+            fill_bumps(field, chunk, *lattices_[index], bump_squares_, target);
         } else if (has_wide_cells(field)) {
             fill_wide_cells(field, chunk, *lattices_[index], *candidates_, target);
         } else {
-            fill_narrow_cells(field, chunk, *lattices_[index], narrow_, target);
+            fill_narrow_cells(field, chunk, *lattices_[index], tile_squares_, target);
         }
     }
 
@@ -155,15 +155,14 @@ class BoxFiller {
     // Where the channel's gradient sums go.
     SumTarget sum_target(std::size_t index, const VoxelBox& chunk) {
         const ChannelPlan& channel = plan_.channels[index];
-        const SumShift shift = sum_shift(channel);
-        const auto rows = static_cast<std::size_t>(chunk.size[1]);
-        if (!is_direct(index)) {
-            return {gradients_[index].data(), row_stride_, rows * row_stride_, shift.scale,
-                    shift.offset};
-        }
-        const std::size_t slice = static_cast<std::size_t>(box_.size[1]) * row_stride_;
-        return {row_of(channels_[index], chunk, 0, 0), row_stride_, slice, shift.scale,
-                shift.offset};
+        const bool centered =
+            channel.type != NoiseType::curl && channel.fractal == NoiseFractal::fbm;
+        const float scale = centered ? 0.5f : 1;
+        const float offset = centered ? 0.5f : 0;
+        const bool direct = is_direct(index);
+        const auto rows = static_cast<std::size_t>(direct ? box_.size[1] : chunk.size[1]);
+        float* sums = direct ? row_of(channels_[index], chunk, 0, 0) : gradients_[index].data();
+        return {sums, row_stride_, rows * row_stride_, scale, offset};
     }
 
     // True if kernels may write a channel's rows straight to the caller: nothing else becomes of
@@ -257,8 +256,7 @@ class BoxFiller {
     std::vector<std::optional<WarpFiller>> warps_;        // none if no wanted channel has it
     std::vector<std::optional<LatticePlanes>> lattices_;  // none: pointwise
     std::unique_ptr<CellCandidates> candidates_;
-    NarrowCellScratch narrow_;
-    BumpScratch bumps_;
+    AlignedFloats tile_squares_, bump_squares_;  // room for kernels
     std::vector<const float*> rows_;  // of the fields, the row at hand
     ScratchFloats combined_;          // a row of each channel
 };

@@ -49,8 +49,6 @@ std::vector<WeightedField> cell_fields(const NoiseChannel& channel, const NoiseO
 void add_octaves(const NoiseChannel& channel, const OctaveMaker& maker, NoisePlan& plan,
                  ChannelPlan& result) {
     const int warp = result.warp;
-    constexpr std::array<Purpose, 3> kPotentials = {Purpose::potential_x, Purpose::potential_y,
-                                                    Purpose::potential_z};
     switch (channel.type) {
         case NoiseType::constant:
             break;
@@ -119,11 +117,6 @@ ChannelPlan channel_plan(const Noise& noise, const NoiseChannel& channel, NoiseP
     return result;
 }
 
-double smooth_step(const std::array<double, 2>& edges, double value) {
-    const double t = std::clamp((value - edges[0]) / (edges[1] - edges[0]), 0.0, 1.0);
-    return t * t * (3 - 2 * t);
-}
-
 // The wind carries the noise's values along, so that samples are taken against it. After a loop the
 // noise has moved by whole tiles.
 void add_drift(const Noise& noise, std::array<TileAxis, 3>& axes) {
@@ -165,26 +158,6 @@ NoisePlan make_noise_plan(const Noise& noise, const std::array<int, 3>& size) {
         plan.channels.push_back(channel_plan(noise, channel, plan));
     }
     return plan;
-}
-
-std::array<double, 2> nominal_range(const NoiseChannel& channel) {
-    std::array<double, 2> range = {0, 1};
-    if (channel.type == NoiseType::curl) range = {-1, 1};
-    if (channel.type == NoiseType::constant)
-        range = {std::min(0.0, channel.value), std::max(1.0, channel.value)};
-    const auto& [low_in, high_in, low_out, high_out] = channel.remap;
-    for (double& bound : range) {
-        bound = low_out + (bound - low_in) * (high_out - low_out) / (high_in - low_in);
-        if (channel.smoothstep) bound = smooth_step(*channel.smoothstep, bound);
-        if (channel.invert) bound = 1 - bound;
-        // Bias leaves 0, 1 and what is beyond where it is, and is monotonic.
-        if (bound > 0 && bound < 1) bound /= (1 / channel.bias - 2) * (1 - bound) + 1;
-        bound = std::clamp(bound, channel.clamp[0], channel.clamp[1]);
-    }
-    if (range[0] > range[1]) std::swap(range[0], range[1]);
-    // One value alone: a range about it.
-    if (range[0] == range[1]) range = {range[0] - 0.5, range[1] + 0.5};
-    return range;
 }
 
 std::array<TileAxis, 3> tile_axes(const std::array<int, 3>& size, config::NoiseSampling sampling) {

@@ -203,8 +203,4 @@ struct NoisePlan {
 
 NoisePlan make_noise_plan(const Noise& noise, const std::array<int, 3>& size);
 
-// Returns the range in which a channel's values are meant to lie: [0, 1], or [-1, 1] for curl,
-// mapped through remap, smoothstep, invert, bias and clamp. The range is never empty.
-std::array<double, 2> nominal_range(const NoiseChannel& channel);
-
 }  // namespace skybake::noise

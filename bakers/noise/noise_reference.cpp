@@ -36,12 +36,11 @@ double times_smaller(const Noise& noise, const Frequency& octave) {
     const auto cells = [](const Frequency& of) { return double{1} * of[0] * of[1] * of[2]; };
     double fewest = cells(octave);
     for (const NoiseChannel& channel : noise.channels) {
-        for (const Frequency& other : channel.octaves.frequencies)
-            fewest = std::min(fewest, cells(other));
-        for (const Frequency& other : channel.worley_octaves.frequencies)
-            fewest = std::min(fewest, cells(other));
-        for (const Frequency& other : channel.warp_octaves.frequencies)
-            fewest = std::min(fewest, cells(other));
+        for (const NoiseOctaves* octaves :
+             {&channel.octaves, &channel.worley_octaves, &channel.warp_octaves}) {
+            for (const Frequency& other : octaves->frequencies)
+                fewest = std::min(fewest, cells(other));
+        }
     }
     return cells(octave) / fewest;
 }
@@ -128,25 +127,21 @@ double curl_part(const Noise& noise, const NoiseChannel& channel, const NoiseOct
 
 // The place at which a channel is read instead of `place`.
 glm::dvec3 displaced(const Noise& noise, const NoiseChannel& channel, const glm::dvec3& place) {
-    constexpr std::array<Purpose, 3> kPurposes = {Purpose::warp_x, Purpose::warp_y,
-                                                  Purpose::warp_z};
     glm::dvec3 result = place;
     for (std::size_t axis = 0; axis < 3 && channel.warp_strength != 0; ++axis) {
-        const double by =
-            channel.warp_by == config::NoiseWarp::curl
-                ? curl_part(noise, channel, channel.warp_octaves, kPurposes, axis, place)
-                : weighted_mean(channel.warp_octaves, [&](const OctaveName& octave) {
-                      const Lattice lattice = lattice_of(noise, channel, kPurposes[axis], octave);
-                      return improved_noise(lattice, place).value;
-                  });
+        const double by = channel.warp_by == config::NoiseWarp::curl
+                              ? curl_part(noise, channel, channel.warp_octaves, kWarps, axis, place)
+                              : weighted_mean(channel.warp_octaves, [&](const OctaveName& octave) {
+                                    const Lattice lattice =
+                                        lattice_of(noise, channel, kWarps[axis], octave);
+                                    return improved_noise(lattice, place).value;
+                                });
         result[axis] += channel.warp_strength * by / noise.repeats[axis];
     }
     return result;
 }
 
 double value_of(const Noise& noise, const NoiseChannel& channel, const glm::dvec3& where) {
-    constexpr std::array<Purpose, 3> kPotentials = {Purpose::potential_x, Purpose::potential_y,
-                                                    Purpose::potential_z};
     const glm::dvec3 place = displaced(noise, channel, where);
     switch (channel.type) {
         case NoiseType::constant:

@@ -166,19 +166,17 @@ GradientStack curl_stack(const NoiseOctaves& octaves, std::size_t component,
 
 WarpPlan warp_plan(const NoiseChannel& channel, const std::array<int, 3>& repeats,
                    const OctaveMaker& maker) {
-    constexpr std::array<Purpose, 3> kPurposes = {Purpose::warp_x, Purpose::warp_y,
-                                                  Purpose::warp_z};
     WarpPlan warp;
     const std::vector<double> weights = weights_of(channel.warp_octaves);
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const double strength = channel.warp_strength / repeats[axis];
         if (channel.warp_by == config::NoiseWarp::curl) {
-            warp[axis] = curl_stack(channel.warp_octaves, axis, kPurposes, strength, maker);
+            warp[axis] = curl_stack(channel.warp_octaves, axis, kWarps, strength, maker);
             continue;
         }
         for (std::size_t i = 0; i < weights.size(); ++i) {
             warp[axis].octaves.push_back(
-                maker.octave(channel.warp_octaves, i, kPurposes[axis], weights[i] * strength));
+                maker.octave(channel.warp_octaves, i, kWarps[axis], weights[i] * strength));
         }
     }
     return warp;

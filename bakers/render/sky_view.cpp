@@ -124,15 +124,6 @@ void render_row(const SkyMedium& medium, const SkyMarch& sky, const SkyView& vie
 
 }  // namespace
 
-Coefficients full_coefficients(const SkyLayer& layer) {
-    const auto of = [](const auto& air) {
-        return Coefficients{air.scattering_per_km, air.extinction_per_km};
-    };
-    const Medium& alone = layer.alone;
-    return alone.exponential_layers.empty() ? of(alone.piecewise_layers.front())
-                                            : of(alone.exponential_layers.front());
-}
-
 Image2<float> render_sky(const SkyMedium& medium, const SkyTables& tables, const SkyView& view,
                          int threads, int steps) {
     const SkyMarch sky = make_march(medium, tables, steps);

@@ -42,9 +42,6 @@ inline constexpr int kSkySteps = 40;
 Image2<float> render_sky(const SkyMedium& medium, const SkyTables& tables, const SkyView& view,
                          int threads, int steps = kSkySteps);
 
-// Returns the coefficients of a layer where its density is 1.
-Coefficients full_coefficients(const SkyLayer& layer);
-
 // Returns the radiance along rays of any cameras and suns, in as many segments; with `reaches_km`, that
 // of the air up to a distance along each, as the published `skybake_air` has it.
 std::vector<Spectrum> march_sky(const SkyMedium& medium, const SkyTables& tables,

@@ -53,7 +53,7 @@ void walk_sky(benchmark::State& state, const SkyMedium& medium) {
 
 void make_tracer(benchmark::State& state) {
     const SkyMedium medium = earth("0.8");
-    for (auto _ : state) benchmark::DoNotOptimize(PathTracer(medium));
+    for (auto _ : state) benchmark::DoNotOptimize(PathMedium(medium));
 }
 
 }  // namespace

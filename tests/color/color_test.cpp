@@ -198,11 +198,11 @@ TEST(ColorSpace, ShowsTheSunAsItsConventionSays) {
     const auto nm = wavelengths(400, 37, 9);
     const std::vector<double> ones(nm.size(), 1.0), halves(nm.size(), 0.5);
     for (const ColorSpace space : all_color_spaces())
-        for (const Sunlight sunlight : {Sunlight::measured, Sunlight::flat})
-            for (const White white : {White::sun, White::sun_per_channel}) {
-                expect_near(color_of(nm, ones, {space, white, sunlight}), glm::dvec3(1), 1e-12);
-                expect_near(color_of(nm, halves, {space, white, sunlight}), glm::dvec3(0.5), 1e-12);
-            }
+        for (const Sunlight sunlight : {Sunlight::measured, Sunlight::flat}) {
+            const ColorTarget target{space, White::sun, sunlight};
+            expect_near(color_of(nm, ones, target), glm::dvec3(1), 1e-12);
+            expect_near(color_of(nm, halves, target), glm::dvec3(0.5), 1e-12);
+        }
     // With the space's own white, the sun has its own colour and the luminance 1.
     const glm::dvec3 warm = color_of(nm, ones, {ColorSpace::linear_srgb, White::own});
     EXPECT_GT(warm.r, warm.g);

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "bakers/noise/noise_bounds.h"
 #include "bakers/noise/noise_plan.h"
 #include "tests/noise/noises.h"
 

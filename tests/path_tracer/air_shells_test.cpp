@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "bakers/air/optical_depth.h"
+#include "bakers/light/path_tracer/air_shells-inl.h"
 #include "bakers/math/quadrature.h"
 #include "bakers/math/transcendental.h"
 #include "tests/path_tracer/path_media.h"
@@ -94,10 +95,15 @@ TEST(AirShells, PointsAreFoundByTheirDepth) {
             const std::size_t channel = static_cast<std::size_t>(i % 3);
             const double share = low_discrepancy_point(i)[2];
             const double depth = share * air.depth_to_top(start)[channel];
-            const AirShells::Point found =
-                air.point_at_depth(start, channel, depth, start.shell, air.count() - 1);
+            const auto shell = static_cast<double>(start.shell);
+            const auto found = HWY_NAMESPACE::point_at_depth<double>(
+                air.tables(), {start.altitude_km, start.s_km, shell},
+                air.depth_to_top(start)[channel], static_cast<double>(channel), depth, shell,
+                static_cast<double>(air.count() - 1));
             EXPECT_GE(found.altitude_km, start.altitude_km - 1e-9);
-            EXPECT_NEAR(air.depth_to_top(found)[channel], depth, 1e-6 * depth + 1e-15);
+            EXPECT_NEAR(air.depth_to_top({found.altitude_km, found.s_km,
+                                          static_cast<std::size_t>(found.shell)})[channel],
+                        depth, 1e-6 * depth + 1e-15);
             // On the same line: r^2 - s^2 is that of the start.
             const double r = medium.air.ground_radius_km;
             const double gain = found.altitude_km - start.altitude_km;
@@ -112,7 +118,7 @@ TEST(AirShells, SunlightEndsAtTheShadowOfThePlanet) {
     const AirShells air(medium);
     for (const double altitude : {0.0, 0.001, 1.0, 25.0, 99.9}) {
         const double horizon = horizon_distance_km(air.planet(), altitude);
-        const int shell = air.shell_at(altitude);
+        const std::size_t shell = air.shell_at(altitude);
         EXPECT_EQ(air.sunlight(altitude, -horizon - 1e-9, shell)[0], 0);
         EXPECT_GT(air.sunlight(altitude, -horizon, shell)[0], 1e-3);
         const double s = -0.7 * horizon;

@@ -52,9 +52,9 @@ inline View view_at(double altitude_km, double sun_zenith, double view_zenith, d
     return view;
 }
 
-inline PathTracedRadiance trace(const PathTracer& tracer, const View& view,
+inline PathTracedRadiance trace(const PathMedium& path_medium, const View& view,
                                 const PathTracerSettings& settings, int threads = 1) {
-    return trace_paths(tracer, view.altitude_km, view.sun, view.direction, settings, threads);
+    return trace_paths(path_medium, view.altitude_km, view.sun, view.direction, settings, threads);
 }
 
 inline PathTracerSettings paths(std::int64_t count, std::uint32_t ray = 0) {

@@ -8,6 +8,7 @@
 
 #include "bakers/air/medium.h"
 #include "bakers/air/particles/phase_function.h"
+#include "bakers/light/path_tracer/air_shells-inl.h"
 #include "config/sections/layer.h"
 #include "tests/path_tracer/path_media.h"
 #include "tests/support/hard_case.h"
@@ -18,13 +19,13 @@ namespace {
 using namespace test;
 
 double worst_furnace(const SkyMedium& medium, std::int64_t count) {
-    const PathTracer tracer(medium);
+    const PathMedium path_medium(medium);
     double worst = 0;
     std::uint32_t ray = 0;
     for (const double altitude : {0.0, 0.1 * medium.air.thickness_km, medium.air.thickness_km}) {
         for (const double mu : {0.7, -0.02, -0.8}) {
             const PathTracedRadiance radiance =
-                trace_ambient_paths(tracer, altitude, mu, paths(count, ++ray), 1);
+                trace_ambient_paths(path_medium, altitude, mu, paths(count, ++ray), 1);
             worst = std::max(worst, test::furnace_deviation(radiance, 3));
         }
     }
@@ -50,15 +51,15 @@ TEST(PathTracerHardCase, Case06DenseAir) {
     // A path that enters such air has a hundred thousand events.
     const SkyMedium thousand = test::white_furnace(1000);
     hold("6 1000x air over white ground, paths", "white furnace, standard errors",
-         test::furnace_deviation(trace_ambient_paths(PathTracer(thousand), 30, -0.5, paths(64), 1),
+         test::furnace_deviation(trace_ambient_paths(PathMedium(thousand), 30, -0.5, paths(64), 1),
                                  3),
          kFourDeviations);
     const SkyMedium dense = preset_sky("dense_earth", {"atmosphere.ground_albedo=1"});
-    const PathTracer tracer(dense);
+    const PathMedium path_medium(dense);
     double bad = 0;
     for (const double sun : {0.0, 80.0, 95.0}) {
         for (const double zenith : {10.0, 89.9, 130.0}) {
-            bad += bad_values(trace(tracer, view_at(1, sun, zenith, 40), paths(1000)));
+            bad += bad_values(trace(path_medium, view_at(1, sun, zenith, 40), paths(1000)));
         }
     }
     hold("6 50x Rayleigh, paths", "finite and not negative (count)", bad, 0);
@@ -97,10 +98,10 @@ TEST(PathTracerHardCase, Case08ExtremePhaseFunctions) {
     hold("8 g = 0.999 in 10x air, paths", "white furnace, standard errors",
          worst_furnace(test::white_furnace(10, "0.999"), 1000), kFourDeviations);
     const SkyMedium peaked = preset_sky("earth_hillaire", {"atmosphere.layers.mie.g=0.999"});
-    const PathTracer tracer(peaked);
+    const PathMedium path_medium(peaked);
     double bad = 0;
     for (const double zenith : {60.0, 60.1, 120.0}) {
-        bad += bad_values(trace(tracer, view_at(0.5, 60, zenith, 0), paths(5000)));
+        bad += bad_values(trace(path_medium, view_at(0.5, 60, zenith, 0), paths(5000)));
     }
     hold("8 g = 0.999, the view into the sun", "finite and not negative (count)", bad, 0);
 }
@@ -122,13 +123,13 @@ TEST(PathTracerHardCase, Case08Spheres) {
 
 TEST(PathTracerHardCase, Case09NoAirAndNoScattering) {
     const SkyMedium vacuum = preset_sky("vacuum", {"atmosphere.ground_albedo=0.7"});
-    const PathTracer tracer(vacuum);
+    const PathMedium path_medium(vacuum);
     double error = 0;
     for (const bool walked : {false, true}) {
         PathTracerSettings settings = paths(100);
         settings.deterministic_first_order = !walked;
-        const PathTracedRadiance sky = trace(tracer, view_at(3, 60, 30, 0), settings);
-        const PathTracedRadiance ground = trace(tracer, view_at(3, 60, 180, 0), settings);
+        const PathTracedRadiance sky = trace(path_medium, view_at(3, 60, 30, 0), settings);
+        const PathTracedRadiance ground = trace(path_medium, view_at(3, 60, 180, 0), settings);
         for (std::size_t c = 0; c < 3; ++c) {
             error = std::max(error, sky.radiance[c]);
             error =
@@ -136,7 +137,7 @@ TEST(PathTracerHardCase, Case09NoAirAndNoScattering) {
             error = std::max(error, ground.radiance[c] - ground.orders[0][c]);
         }
         settings.include_seen_ground = false;
-        error = std::max(error, trace(tracer, view_at(3, 60, 180, 0), settings).radiance[0]);
+        error = std::max(error, trace(path_medium, view_at(3, 60, 180, 0), settings).radiance[0]);
     }
     hold("9 no air: black sky, ground albedo mu_s / pi, once", "closed form, relative", error,
          1e-13);
@@ -146,31 +147,31 @@ TEST(PathTracerHardCase, Case09NoAirAndNoScattering) {
                            "atmosphere.layers.mie.enabled=false", "atmosphere.ground_albedo=1"});
     PathTracerSettings settings = paths(2000);
     settings.include_seen_ground = false;
-    const PathTracedRadiance black = trace(PathTracer(ozone), view_at(0.5, 30, 40, 0), settings);
+    const PathTracedRadiance black = trace(PathMedium(ozone), view_at(0.5, 30, 40, 0), settings);
     hold("9 layers that only absorb", "exactly 0",
          black.radiance[0] + black.radiance[1] + black.radiance[2] + bad_values(black), 0);
 }
 
 TEST(PathTracerHardCase, Case13SunBelowTheHorizon) {
     const SkyMedium earth = preset_sky("earth_hillaire");
-    const PathTracer tracer(earth);
-    const PathTracedRadiance night = trace(tracer, view_at(0, 140, 30, 0), paths(2000));
+    const PathMedium path_medium(earth);
+    const PathTracedRadiance night = trace(path_medium, view_at(0, 140, 30, 0), paths(2000));
     hold("13 midnight, paths", "exactly 0",
          night.radiance[0] + night.radiance[1] + night.radiance[2], 0);
     double bad = 0;
     for (const double sun : {90.0, 96.0, 102.0, 108.0}) {
-        bad += bad_values(trace(tracer, view_at(0, sun, 85, 0), paths(2000)));
+        bad += bad_values(trace(path_medium, view_at(0, sun, 85, 0), paths(2000)));
     }
     hold("13 twilight, paths", "finite and not negative (count)", bad, 0);
 }
 
 TEST(PathTracerHardCase, Case15CameraAtGroundAndTop) {
     const SkyMedium earth = preset_sky("earth_hillaire");
-    const PathTracer tracer(earth);
+    const PathMedium path_medium(earth);
     PathTracerSettings settings = paths(20000);
-    const PathTracedRadiance at = trace(tracer, view_at(0, 50, 150, 30), settings);
+    const PathTracedRadiance at = trace(path_medium, view_at(0, 50, 150, 30), settings);
     settings.ray = 1;
-    const PathTracedRadiance above = trace(tracer, view_at(1e-6, 50, 150, 30), settings);
+    const PathTracedRadiance above = trace(path_medium, view_at(1e-6, 50, 150, 30), settings);
     double worst = 0;
     for (std::size_t c = 0; c < 3; ++c) {
         worst = std::max(worst, std::fabs(at.radiance[c] - above.radiance[c]) /
@@ -179,9 +180,9 @@ TEST(PathTracerHardCase, Case15CameraAtGroundAndTop) {
     hold("15 ground seen from h = 0", "1 mm above, standard errors", worst, 4);
     settings.include_seen_ground = false;
     hold("15 h = 0, downwards, without the ground", "exactly 0",
-         trace(tracer, view_at(0, 50, 150, 30), settings).radiance[1], 0);
+         trace(path_medium, view_at(0, 50, 150, 30), settings).radiance[1], 0);
     hold("15 h at the top, upwards", "exactly 0",
-         trace(tracer, view_at(100, 50, 40, 30), paths(100)).radiance[1], 0);
+         trace(path_medium, view_at(100, 50, 40, 30), paths(100)).radiance[1], 0);
 }
 
 // In a furnace light that the ground gave twice would make more than 1, and light that it gave in
@@ -189,7 +190,7 @@ TEST(PathTracerHardCase, Case15CameraAtGroundAndTop) {
 TEST(PathTracerHardCase, Case19GroundBounceOnceInAllOrders) {
     const SkyMedium thin = test::white_furnace(0.03);
     const PathTracedRadiance radiance =
-        trace_ambient_paths(PathTracer(thin), 0, -1, paths(50000), 1);
+        trace_ambient_paths(PathMedium(thin), 0, -1, paths(50000), 1);
     double worst = 0;
     for (std::size_t c = 0; c < 3; ++c) {
         worst = std::max(worst, std::fabs(radiance.radiance[c] - 1));
@@ -222,16 +223,14 @@ TEST(PathTracerHardCase, Case20DensitiesOfEveryLayerCombination) {
             // Off the levels themselves, where densities jump.
             const double share = (i + 0.4142) / 20000;
             const double altitude = 100 * share * share * share;
-            const int shell = air.shell_at(altitude);
+            const std::size_t shell = air.shell_at(altitude);
             const Spectrum exact = extinction_at(medium.air, altitude);
-            const Spectrum value = air.extinction(shell, altitude);
+            const Spectrum value =
+                HWY_NAMESPACE::extinction_at(air.tables(), shell, altitude).spectrum();
             Spectrum sum{};
             for (std::size_t k = 0; k < medium.layers.size(); ++k) {
-                const Medium& alone = medium.layers[k].alone;
-                const Spectrum unit = alone.exponential_layers.empty()
-                                          ? alone.piecewise_layers[0].extinction_per_km
-                                          : alone.exponential_layers[0].extinction_per_km;
-                const double density = air.density(shell, static_cast<int>(k), altitude);
+                const Spectrum unit = full_coefficients(medium.layers[k]).extinction_per_km;
+                const double density = HWY_NAMESPACE::density_at(air.tables(), shell, k, altitude);
                 sum += density * unit;
             }
             for (std::size_t c = 0; c < 3; ++c) {

@@ -11,10 +11,10 @@ TEST(PathTracerLong, WhiteFurnaceOfTenMillionPaths) {
     std::uint32_t ray = 0;
     for (const double factor : {1.0, 10.0}) {
         const SkyMedium medium = test::white_furnace(factor);
-        const PathTracer tracer(medium);
+        const PathMedium path_medium(medium);
         const std::int64_t count = factor > 1 ? 1'000'000 : 10'000'000;
         const PathTracedRadiance radiance =
-            trace_ambient_paths(tracer, 0.5, 0.3, test::paths(count, ++ray), 0);
+            trace_ambient_paths(path_medium, 0.5, 0.3, test::paths(count, ++ray), 0);
         EXPECT_LE(test::furnace_deviation(radiance, 3), 3) << factor;
         for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(radiance.radiance[c], 1, 1e-3);
     }

@@ -31,12 +31,12 @@ TEST(PathTracer, WhiteFurnaceIsWhite) {
                                 {test::white_furnace(8, "0.95", "tiny_planet"), 10000}};
     std::uint32_t ray = 0;
     for (const Furnace& furnace : furnaces) {
-        const PathTracer tracer(furnace.medium);
+        const PathMedium path_medium(furnace.medium);
         const double top = furnace.medium.air.thickness_km;
         for (const double altitude : {0.0, 0.02 * top, top}) {
             for (const double mu : {1.0, 0.05, -0.05, -1.0}) {
                 const PathTracedRadiance radiance =
-                    trace_ambient_paths(tracer, altitude, mu, paths(furnace.paths, ++ray), 1);
+                    trace_ambient_paths(path_medium, altitude, mu, paths(furnace.paths, ++ray), 1);
                 EXPECT_LE(test::furnace_deviation(radiance, 3), test::kFourDeviations)
                     << altitude << ' ' << mu;
             }
@@ -64,7 +64,7 @@ TEST(PathTracer, SunlightThatComesInGoesOut) {
         }
     }
     // Middles of equal parts of the sun's cosine, of the direction's squared cosine, of azimuth.
-    const PathTracer tracer(medium);
+    const PathMedium path_medium(medium);
     constexpr int kParts = 22;
     constexpr int kAzimuths = 10;
     constexpr int kPoints = kParts * kParts * kAzimuths;
@@ -78,7 +78,7 @@ TEST(PathTracer, SunlightThatComesInGoesOut) {
         const SkyDirection inwards =
             sky_direction(sun, -std::sqrt(v), std::sqrt(1 - v), cosine_of_pi(w));
         const PathTracedRadiance radiance =
-            trace_paths(tracer, medium.air.thickness_km, sun, inwards,
+            trace_paths(path_medium, medium.air.thickness_km, sun, inwards,
                         paths(64, static_cast<std::uint32_t>(i)), 1);
         sum += radiance.radiance / double{kPoints};
         variance += radiance.standard_error * radiance.standard_error;
@@ -97,7 +97,7 @@ TEST(PathTracer, AbsorptionDarkensTheFurnace) {
         const SkyMedium medium =
             preset_sky("earth_hillaire", {std::string("atmosphere.ground_albedo=") + albedo});
         const PathTracedRadiance radiance =
-            trace_ambient_paths(PathTracer(medium), 0.5, -1, paths(20000), 1);
+            trace_ambient_paths(PathMedium(medium), 0.5, -1, paths(20000), 1);
         EXPECT_LT(radiance.radiance[1] + 4 * radiance.standard_error[1], before) << albedo;
         before = radiance.radiance[1];
     }
@@ -109,7 +109,7 @@ TEST(PathTracer, FirstOrderIsSingleScattering) {
     std::uint32_t ray = 0;
     for (const char* preset : {"earth_hillaire", "mars_rgb", "tiny_planet", "dense_earth"}) {
         const SkyMedium medium = preset_sky(preset);
-        const PathTracer tracer(medium);
+        const PathMedium path_medium(medium);
         const SkyIntegrator integrator(medium, nullptr);
         for (const auto& [altitude, sun, zenith, azimuth] : {std::array{0.0, 40.0, 30.0, 50.0},
                                                              {0.5, 60.0, 85.0, 0.0},
@@ -121,9 +121,9 @@ TEST(PathTracer, FirstOrderIsSingleScattering) {
             PathTracerSettings settings = paths(6000, ++ray);
             settings.deterministic_first_order = false;
             const SkyRadiance exact = integrator.radiance(altitude, view.sun, view.direction);
-            const PathTracedRadiance walked = trace(tracer, view, settings);
+            const PathTracedRadiance walked = trace(path_medium, view, settings);
             settings.deterministic_first_order = true;
-            const PathTracedRadiance mixed = trace(tracer, view, settings);
+            const PathTracedRadiance mixed = trace(path_medium, view, settings);
             for (std::size_t c = 0; c < 3; ++c) {
                 EXPECT_EQ(mixed.orders[0][c], exact.single[c] + exact.ground[c]);
                 // Whole radiances, whose errors are known, by either way.
@@ -142,7 +142,7 @@ TEST(PathTracer, FirstOrderIsSingleScattering) {
 TEST(PathTracer, OrdersAddUp) {
     const SkyMedium medium = preset_sky("earth_hillaire");
     const PathTracedRadiance radiance =
-        trace(PathTracer(medium), view_at(0.5, 60, 75, 90), paths(5000));
+        trace(PathMedium(medium), view_at(0.5, 60, 75, 90), paths(5000));
     for (std::size_t c = 0; c < 3; ++c) {
         double sum = 0;
         for (const Spectrum& order : radiance.orders) {
@@ -163,7 +163,7 @@ TEST(PathTracer, ChannelsDoNotDisturbEachOther) {
     test::Agreement agreement;
     for (const auto& [sun, zenith] : {std::pair{30.0, 60.0}, {85.0, 20.0}, {60.0, 120.0}}) {
         const test::View view = view_at(5, sun, zenith, 70);
-        const PathTracedRadiance shared = trace(PathTracer(all), view, paths(5000, 1));
+        const PathTracedRadiance shared = trace(PathMedium(all), view, paths(5000, 1));
         for (std::size_t c = 0; c < 3; ++c) {
             const SkyMedium single = preset_sky(
                 "dense_earth",
@@ -171,7 +171,7 @@ TEST(PathTracer, ChannelsDoNotDisturbEachOther) {
                  std::string("atmosphere.layers.rayleigh.scattering=\"") + scattering[c] + "\"",
                  std::string("atmosphere.layers.ozone.absorption=\"") + absorption[c] + "\""});
             ASSERT_EQ(single.air.channels, 1);
-            const PathTracedRadiance alone = trace(PathTracer(single), view, paths(5000, 2));
+            const PathTracedRadiance alone = trace(PathMedium(single), view, paths(5000, 2));
             agreement.add(shared.radiance[c], shared.standard_error[c], alone.radiance[0],
                           alone.standard_error[0]);
             EXPECT_EQ(alone.radiance[1], 0);
@@ -183,30 +183,30 @@ TEST(PathTracer, ChannelsDoNotDisturbEachOther) {
 
 TEST(PathTracer, SameBitsForAnyNumberOfThreads) {
     const SkyMedium medium = preset_sky("earth_hillaire");
-    const PathTracer tracer(medium);
+    const PathMedium path_medium(medium);
     const test::View view = view_at(0, 80, 60, 20);
     const PathTracerSettings settings = paths(5000);
-    const PathTracedRadiance one = trace(tracer, view, settings, 1);
-    const PathTracedRadiance three = trace(tracer, view, settings, 3);
+    const PathTracedRadiance one = trace(path_medium, view, settings, 1);
+    const PathTracedRadiance three = trace(path_medium, view, settings, 3);
     EXPECT_EQ(std::memcmp(&one, &three, sizeof one), 0);
     PathTracerSettings other = settings;
     other.ray = 1;
-    EXPECT_NE(trace(tracer, view, other, 1).radiance[0], one.radiance[0]);
+    EXPECT_NE(trace(path_medium, view, other, 1).radiance[0], one.radiance[0]);
     other = settings;
     other.seed = 21;
-    EXPECT_NE(trace(tracer, view, other, 1).radiance[0], one.radiance[0]);
+    EXPECT_NE(trace(path_medium, view, other, 1).radiance[0], one.radiance[0]);
 }
 
 // The standard error says how far runs scatter: 64 of them, of which chi-square has 63 degrees of
 // freedom.
 TEST(PathTracer, StandardErrorIsTheScatterOfRuns) {
     const SkyMedium medium = preset_sky("earth_hillaire");
-    const PathTracer tracer(medium);
+    const PathMedium path_medium(medium);
     const test::View view = view_at(0.5, 30, 30, 90);
-    const PathTracedRadiance best = trace(tracer, view, paths(64000, 1000));
+    const PathTracedRadiance best = trace(path_medium, view, paths(64000, 1000));
     double chi_square = 0;
     for (std::uint32_t run = 0; run < 64; ++run) {
-        const PathTracedRadiance radiance = trace(tracer, view, paths(1000, run));
+        const PathTracedRadiance radiance = trace(path_medium, view, paths(1000, run));
         const double z = (radiance.radiance[2] - best.radiance[2]) / radiance.standard_error[2];
         chi_square += z * z;
     }
@@ -216,14 +216,14 @@ TEST(PathTracer, StandardErrorIsTheScatterOfRuns) {
 
 TEST(PathTracer, SmallDiscIsAPointAndSpreadsOnlyItsLight) {
     const SkyMedium medium = preset_sky("earth_hillaire");
-    const PathTracer tracer(medium);
+    const PathMedium path_medium(medium);
     const test::View view = view_at(0.5, 60, 30, 0);
     PathTracerSettings settings = paths(40000);
     settings.deterministic_first_order = false;
-    const PathTracedRadiance point = trace(tracer, view, settings);
+    const PathTracedRadiance point = trace(path_medium, view, settings);
     settings.ray = 1;
     settings.sun_radius = 0.00467;
-    const PathTracedRadiance disc = trace(tracer, view, settings);
+    const PathTracedRadiance disc = trace(path_medium, view, settings);
     for (std::size_t c = 0; c < 3; ++c) {
         EXPECT_NEAR(disc.radiance[c], point.radiance[c],
                     4 * std::hypot(disc.standard_error[c], point.standard_error[c]));
@@ -232,7 +232,7 @@ TEST(PathTracer, SmallDiscIsAPointAndSpreadsOnlyItsLight) {
     // thin, and some when the centre is below.
     const SkyMedium vacuum = preset_sky("vacuum", {"atmosphere.ground_albedo=1"});
     settings.sun_radius = 0.1;
-    const PathTracedRadiance half = trace(PathTracer(vacuum), view_at(0, 90, 180, 0), settings);
+    const PathTracedRadiance half = trace(PathMedium(vacuum), view_at(0, 90, 180, 0), settings);
     // Mean of max(cosine, 0) over a disc of radius a on the horizon: 2 a / 3 pi up to a^2.
     EXPECT_NEAR(half.radiance[0], 0.1 * 2 / (3 * 3.14159265) / 3.14159265,
                 4 * half.standard_error[0] + 1e-5);
@@ -284,14 +284,15 @@ TEST(PathTracer, AgreesWithTheTruthOfConservativeHaze) {
 // The standard error of colours is that of their replicates, whatever the tracer's unit is.
 TEST(PathTracer, ReplicatesHaveTheWalkedLightForTheirMean) {
     const SkyMedium medium = preset_sky("earth_hillaire");
-    const PathTracer tracer(medium);
+    const PathMedium path_medium(medium);
     const SunZenith sun = sun_at_elevation(0.5);
     const SkyDirection up = sky_direction(sun, 0.6, 0.8, 0.3);
     const PathTracerSettings settings = paths(1024, 1);
-    for (const PathTracedRadiance& light : {trace_paths(tracer, 1, sun, up, settings, 1),
-                                            trace_irradiance(tracer, 1, sun, settings, 1),
-                                            trace_mean_radiance(tracer, 1, sun, settings, 1),
-                                            trace_ambient_paths(tracer, 1, 0.6, settings, 1)}) {
+    for (const PathTracedRadiance& light :
+         {trace_paths(path_medium, 1, sun, up, settings, 1),
+          trace_irradiance(path_medium, 1, sun, settings, 1),
+          trace_mean_radiance(path_medium, 1, sun, settings, 1),
+          trace_ambient_paths(path_medium, 1, 0.6, settings, 1)}) {
         Spectrum mean{};
         for (const Spectrum& replicate : light.replicates) mean += replicate;
         const Spectrum error = standard_error_of(light.replicates, light.walked);
@@ -305,7 +306,7 @@ TEST(PathTracer, ReplicatesHaveTheWalkedLightForTheirMean) {
 // Psi of all orders. Deeper in twilight too few paths reach the light for a standard error.
 TEST(PathTracer, MeanRadianceAgreesWithTheTruth) {
     const SkyMedium medium = preset_sky("earth_hillaire", {"atmosphere.ground_albedo=0"});
-    const PathTracer tracer(medium);
+    const PathMedium path_medium(medium);
     test::Agreement agreement;
     std::uint32_t ray = 0;
     for (const auto& v : test::number_rows(SKYBAKE_TEST_DATA "/truth_mslut_setH0.csv")) {
@@ -313,7 +314,7 @@ TEST(PathTracer, MeanRadianceAgreesWithTheTruth) {
         const auto c = static_cast<std::size_t>(v[2]);
         const SunZenith sun = {test::cosine_of_degrees(v[1]), test::sine_of_degrees(v[1])};
         const PathTracedRadiance mean =
-            trace_mean_radiance(tracer, v[0], sun, paths(10000, ++ray), 1);
+            trace_mean_radiance(path_medium, v[0], sun, paths(10000, ++ray), 1);
         agreement.add(mean.radiance[c], mean.standard_error[c], v[4], v[5]);
     }
     EXPECT_GT(agreement.count, 100);

@@ -70,19 +70,18 @@ TEST(ScrambledPoints, HitEveryIntervalOnce) {
     for (std::uint32_t scrambling = 0; scrambling < 8; ++scrambling) {
         const ScrambledPoints points(7, 3, scrambling);
         const std::uint32_t first = scrambling * kCount;
+        double rows[ScrambledPoints::kDimensions][kCount];
         for (std::size_t d = 0; d < ScrambledPoints::kDimensions; ++d) {
+            points.coordinates(first, kCount, d, rows[d]);
             std::set<int> hit;
-            for (std::uint32_t i = 0; i < kCount; ++i) {
-                hit.insert(static_cast<int>(points.coordinate(first + i, d) * kCount));
-            }
+            for (const double x : rows[d]) hit.insert(static_cast<int>(x * kCount));
             EXPECT_EQ(hit.size(), kCount) << "dimension " << d;
         }
         for (std::uint32_t across = 0; across <= kBits; ++across) {
             std::set<std::pair<int, int>> hit;
             for (std::uint32_t i = 0; i < kCount; ++i) {
-                hit.insert(
-                    {static_cast<int>(points.coordinate(first + i, 0) * (1U << across)),
-                     static_cast<int>(points.coordinate(first + i, 1) * (1U << (kBits - across)))});
+                hit.insert({static_cast<int>(rows[0][i] * (1U << across)),
+                            static_cast<int>(rows[1][i] * (1U << (kBits - across)))});
             }
             EXPECT_EQ(hit.size(), kCount) << "boxes 2^-" << across << " wide";
         }
@@ -97,10 +96,10 @@ TEST(ScrambledPoints, AreUniformOverScramblings) {
             std::vector<int> counts(64, 0);
             for (std::uint32_t scrambling = 0; scrambling < 4096; ++scrambling) {
                 const ScrambledPoints points(scrambling % 5, 11, scrambling);
-                const std::size_t other = (d + 1) % ScrambledPoints::kDimensions;
-                const auto x = static_cast<std::size_t>(8 * points.coordinate(point, d));
-                const auto y = static_cast<std::size_t>(8 * points.coordinate(point, other));
-                ++counts[8 * x + y];
+                double x = 0, y = 0;
+                points.coordinates(point, 1, d, &x);
+                points.coordinates(point, 1, (d + 1) % ScrambledPoints::kDimensions, &y);
+                ++counts[8 * static_cast<std::size_t>(8 * x) + static_cast<std::size_t>(8 * y)];
             }
             double chi_square = 0;
             for (const int count : counts) chi_square += (count - 64.0) * (count - 64.0) / 64;
@@ -142,15 +141,18 @@ TEST(PathNumbers, FollowTheDimensions) {
     const ScrambledPoints points(3, 4, 5);
     const RandomStream random(3, 4, 6);
     PathNumbers numbers(points, 9, random);
-    EXPECT_EQ(numbers.next(), points.coordinate(9, 0));
-    numbers.skip();
-    for (std::size_t d = 2; d < ScrambledPoints::kDimensions; ++d) {
-        EXPECT_EQ(numbers.next(), points.coordinate(9, d)) << d;
+    for (std::size_t d = 0; d < ScrambledPoints::kDimensions; ++d) {
+        double expected = 0;
+        points.coordinates(9, 1, d, &expected);
+        if (d == 1)
+            numbers.go_on();
+        else
+            EXPECT_EQ(numbers.next(), expected) << d;
     }
-    numbers.skip();
+    numbers.go_on();
     RandomStream same = random;
     EXPECT_EQ(numbers.next(), same.next());
-    EXPECT_EQ(numbers.random().next(), same.next());
+    EXPECT_EQ(numbers.random(0).next(), same.next());
 }
 
 }  // namespace

@@ -12,33 +12,20 @@
 
 namespace skybake::test {
 
-// The numbers of one path. Its choices take them in the same order in all paths, so that a number
-// has the same meaning in each.
-class PathNumbers {
+namespace kernel = HWY_NAMESPACE;
+
+// The numbers of one path: a batch of one.
+class PathNumbers : public BatchNumbers {
   public:
-    // All numbers are random.
-    explicit PathNumbers(const RandomStream& random) : random_(random) {}
-    // The first numbers are the coordinates of a point. `points` must outlive this.
+    explicit PathNumbers(const RandomStream& random) : BatchNumbers(std::vector{random}) {}
     PathNumbers(const ScrambledPoints& points, std::uint32_t point, const RandomStream& random)
-        : points_(&points), point_(point), random_(random) {}
+        : BatchNumbers(points, point, {random}) {}
 
     // Returns the next number, in (0, 1).
     double next() {
-        if (points_ == nullptr || dimension_ == ScrambledPoints::kDimensions) return random_.next();
-        return points_->coordinate(point_, dimension_++);
+        go_on();
+        return of(0);
     }
-    // Leaves a number out that this path has no use for.
-    void skip() {
-        if (points_ != nullptr && dimension_ < ScrambledPoints::kDimensions) ++dimension_;
-    }
-    // Numbers for choices that not every path has.
-    RandomStream& random() { return random_; }
-
-  private:
-    const ScrambledPoints* points_ = nullptr;
-    std::uint32_t point_ = 0;
-    std::size_t dimension_ = 0;
-    RandomStream random_;
 };
 
 // The angle between two unit vectors.
@@ -103,7 +90,7 @@ class SinglePath {
         glm::dvec3 up{};
         glm::dvec3 direction{};
         double altitude_km = 0;
-        int shell = 0;
+        std::size_t shell = 0;
         int order = 0;
         std::size_t hero = 0;
         std::size_t channels = 0;
@@ -143,19 +130,18 @@ class SinglePath {
     // Goes to where the hero's depth from the start is `depth`; returns each channel's.
     Spectrum move(const Flight& flight, double depth, State& state) const {
         const std::size_t h = state.hero;
-        const AirShells::Point start = {state.altitude_km, std::fabs(flight.s_km), state.shell};
         const double before_lowest = flight.lowest[h] - flight.from[h];
         const bool still_falls = flight.falls && (flight.hits_ground || depth < before_lowest);
-        AirShells::Point end;
-        if (still_falls) {
-            end = air_.point_at_depth(start, h, flight.from[h] + depth, flight.lowest_shell,
-                                      state.shell);
-        } else {
-            const double upwards = flight.falls ? flight.lowest[h] + before_lowest : flight.from[h];
-            end = air_.point_at_depth(start, h, std::max(upwards - depth, 0.0),
-                                      flight.falls ? flight.lowest_shell : state.shell,
-                                      air_.count() - 1);
-        }
+        const double upwards = flight.falls ? flight.lowest[h] + before_lowest : flight.from[h];
+        const auto found = kernel::point_at_depth<double>(
+            air_.tables(),
+            {state.altitude_km, std::fabs(flight.s_km), static_cast<double>(state.shell)},
+            flight.from[h], static_cast<double>(h),
+            still_falls ? flight.from[h] + depth : std::max(upwards - depth, 0.0),
+            static_cast<double>(flight.falls ? flight.lowest_shell : state.shell),
+            static_cast<double>(still_falls ? state.shell : air_.count() - 1));
+        const AirShells::Point end = {found.altitude_km, found.s_km,
+                                      static_cast<std::size_t>(found.shell)};
         const Spectrum way = medium_.depth_up_to(flight, end, still_falls);
         const double radius = air_.planet().ground_radius_km;
         const double distance = (still_falls ? -end.s_km : end.s_km) - flight.s_km;
@@ -170,7 +156,8 @@ class SinglePath {
     Here look_around(const State& state) const {
         Here here;
         for (const Scatterer& scatterer : medium_.scatterers()) {
-            const double density = air_.density(state.shell, scatterer.layer, state.altitude_km);
+            const double density =
+                kernel::density_at(air_.tables(), state.shell, scatterer.layer, state.altitude_km);
             here.densities.push_back(std::max(density, 0.0));  // rounding
             here.scattering = here.scattering + here.densities.back() * scatterer.scattering_per_km;
         }
@@ -208,16 +195,17 @@ class SinglePath {
         // Rounding may reach the end of a part, or its last one where that scatters nothing.
         constexpr double kLast = 1 - 0x1p-53;
         const double share = part > 0 ? std::min(left / part, kLast) : kLast;
-        return sample_phase(medium_.scatterers()[chosen].phase.of(hero), share, numbers.random());
+        return sample_phase(medium_.scatterers()[chosen].phase.of(hero), share, numbers.random(0));
     }
 
     // Distance by the hero's density sigma_t T / (1 - T_end + returned).
     void arrive_in_air(const Flight& flight, double scattered_share, State& state) const {
         const std::size_t h = state.hero;
-        const Spectrum passed = move(flight, HWY_NAMESPACE::depth_of_share(scattered_share), state);
+        const Spectrum passed = move(flight, kernel::depth_of_share(scattered_share), state);
         ++state.order;
         const Spectrum transmittance = exponential(-passed);
-        const Spectrum extinction = air_.extinction(state.shell, state.altitude_km);
+        const Spectrum extinction =
+            kernel::extinction_at(air_.tables(), state.shell, state.altitude_km).spectrum();
         const Spectrum density =
             share_of(extinction * transmittance, flight.scattered + flight.returned);
         // Rounding at the edge of a layer may leave no extinction: then the path ends.
@@ -233,7 +221,7 @@ class SinglePath {
         if (!(state.ratio[h] > 0)) return false;
         const Here here = look_around(state);
         if (counts) {
-            const glm::dvec3 sun = sample_sun(source, numbers.random());
+            const glm::dvec3 sun = sample_sun(source, numbers.random(0));
             const double r = air_.planet().ground_radius_km + state.altitude_km;
             const Spectrum sunlight =
                 air_.sunlight(state.altitude_km, r * glm::dot(state.up, sun), state.shell);
@@ -271,7 +259,7 @@ class SinglePath {
     void reflect(const PathSource& source, bool counts, State& state, PathNumbers& numbers,
                  PathLight& light) const {
         if (counts) {
-            const double cosine = glm::dot(state.up, sample_sun(source, numbers.random()));
+            const double cosine = glm::dot(state.up, sample_sun(source, numbers.random(0)));
             if (cosine > 0) {
                 const Spectrum sunlight =
                     air_.sunlight(0, air_.planet().ground_radius_km * cosine, 0);
@@ -288,7 +276,7 @@ class SinglePath {
                   PathNumbers& numbers) const {
         const double survival = largest(share_of(worth, usual));
         if (survival >= 1) {
-            numbers.skip();
+            numbers.go_on();
             return true;
         }
         if (numbers.next() >= survival) return false;

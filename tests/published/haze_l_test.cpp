@@ -72,7 +72,7 @@ constexpr Value kValues[] = {
 
 TEST(HazeL, PathsFindThePublishedRadiance) {
     const SkyMedium slab = haze_l_slab();
-    const PathTracer tracer(slab);
+    const PathMedium path_medium(slab);
     const SunZenith sun = slab_sun(1);
     std::uint32_t ray = 0;
     for (const Value& value : kValues) {
@@ -82,7 +82,7 @@ TEST(HazeL, PathsFindThePublishedRadiance) {
             PathTracerSettings settings = paths(262144, ++ray);
             settings.include_seen_ground = false;
             const PathTracedRadiance traced =
-                trace_paths(tracer, view.altitude_km, sun, view.direction, settings, 2);
+                trace_paths(path_medium, view.altitude_km, sun, view.direction, settings, 2);
             const double error = std::numbers::pi * traced.standard_error[0];
             EXPECT_LT(error, 1e-2 * expected) << value.cosine;
             EXPECT_NEAR(std::numbers::pi * traced.radiance[0], expected,

@@ -109,7 +109,7 @@ TEST(Limb, AllOrdersAreOffByWhatPolarisationMakes) {
     const SkyMedium published = with_published_phase(air);
     const SkyIntegrator henyey_greenstein(air, nullptr);
     const SkyIntegrator single(published, nullptr);
-    const PathTracer tracer(air);
+    const PathMedium path_medium(air);
     std::uint32_t ray = 0;
     double least = 1;
     double most = -1;
@@ -118,7 +118,7 @@ TEST(Limb, AllOrdersAreOffByWhatPolarisationMakes) {
         const auto once = [&](const SkyIntegrator& of) {
             return of.radiance(view.altitude_km, view.sun, view.direction).single[0];
         };
-        const PathTracedRadiance traced = trace(tracer, view, paths(8192, ++ray), 2);
+        const PathTracedRadiance traced = trace(path_medium, view, paths(8192, ++ray), 2);
         const double all = traced.radiance[0] - once(henyey_greenstein) + once(single);
         EXPECT_LT(traced.standard_error[0], 3e-3 * line.all) << line.tangent_km;
         least = std::min(least, all / line.all - 1);

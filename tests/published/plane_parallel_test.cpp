@@ -72,12 +72,12 @@ struct TracedRadiance {
     double standard_error;
 };
 
-TracedRadiance traced_radiance(const PathTracer& tracer, const Slab& slab, const SlabView& view,
-                               std::int64_t count, std::uint32_t ray) {
+TracedRadiance traced_radiance(const PathMedium& path_medium, const Slab& slab,
+                               const SlabView& view, std::int64_t count, std::uint32_t ray) {
     PathTracerSettings settings = paths(count, ray);
     settings.include_seen_ground = false;
     const PathTracedRadiance found = trace_paths(
-        tracer, view.altitude_km, slab_sun(slab.sun_cosine), view.direction, settings, 2);
+        path_medium, view.altitude_km, slab_sun(slab.sun_cosine), view.direction, settings, 2);
     return {slab.beam * found.radiance[0], slab.beam * found.standard_error[0]};
 }
 
@@ -182,11 +182,11 @@ TEST(PlaneParallel, PathsFindTheRadiance) {
     for (const Slab& slab : slabs()) {
         if (slab.depth > 5) continue;
         const SkyMedium medium = make_sky_medium(atmosphere_of(slab));
-        const PathTracer tracer(medium);
+        const PathMedium path_medium(medium);
         std::uint32_t ray = 0;
         for (const ViewOfSlab& at : views_of(slab)) {
             const TracedRadiance found =
-                traced_radiance(tracer, slab, at.view, slab.depth > 1 ? 8192 : 32768, ++ray);
+                traced_radiance(path_medium, slab, at.view, slab.depth > 1 ? 8192 : 32768, ++ray);
             EXPECT_NEAR(found.radiance, at.radiance,
                         1e-4 * at.radiance + kFourDeviations * found.standard_error)
                 << slab.name << ' ' << at.cosine << ' ' << at.is_up;
@@ -214,7 +214,7 @@ TEST(PlaneParallel, RayleighScatteringAgreesWithThePublishedTable) {
                        kPi,        kRayleighCosines, {},          {},  0, 0};
     const DoubledSlab exact = doubled(slab);
     const SkyMedium medium = make_sky_medium(atmosphere_of(slab));
-    const PathTracer tracer(medium);
+    const PathMedium path_medium(medium);
     SolverSettings settings;
     settings.degree = 8;
     settings.level_scale = 2;
@@ -231,7 +231,7 @@ TEST(PlaneParallel, RayleighScatteringAgreesWithThePublishedTable) {
             const SlabView view =
                 slab_view(slab_sun(slab.sun_cosine), kRayleighCosines[value.cosine], is_up,
                           value.azimuth_cosine);
-            const TracedRadiance traced = traced_radiance(tracer, slab, view, 65536, ++ray);
+            const TracedRadiance traced = traced_radiance(path_medium, slab, view, 65536, ++ray);
             EXPECT_NEAR(traced.radiance, expected,
                         1e-4 * expected + kFourDeviations * traced.standard_error)
                 << kRayleighCosines[value.cosine] << ' ' << value.azimuth_cosine;

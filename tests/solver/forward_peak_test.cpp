@@ -90,7 +90,7 @@ TEST(ForwardPeak, SkiesOfDropsAreThoseOfPaths) {
     const SkyLight light(atmosphere, config::SkyOrders::all, {}, {});
     ASSERT_TRUE(light.has_peaks());
     const SkyMedium medium = make_sky_medium(atmosphere);
-    const PathTracer tracer(medium);
+    const PathMedium path_medium(medium);
     for (const double sun_zenith : {30.0, 75.0}) {
         for (const double azimuth : {60.0, 150.0}) {
             for (const double zenith : {20.0, 60.0}) {
@@ -99,7 +99,7 @@ TEST(ForwardPeak, SkiesOfDropsAreThoseOfPaths) {
                     light.wanted(light.integrator().radiance(0.2, view.sun, view.direction));
                 PathTracerSettings paths;
                 paths.paths = 30000;
-                const PathTracedRadiance traced = test::trace(tracer, view, paths, 0);
+                const PathTracedRadiance traced = test::trace(path_medium, view, paths, 0);
                 for (std::size_t c = 0; c < 3; ++c) {
                     const double sigma =
                         std::hypot(traced.standard_error[c], 0.02 * traced.radiance[c]);

@@ -44,7 +44,7 @@ std::vector<SkyTruthDirection> sky_truth_directions(double altitude_km) {
 std::vector<SkyTruth> trace_sky_truth(const SkyMedium& medium,
                                       const std::vector<SkyTruthDirection>& directions,
                                       const SkyTruthSettings& settings, int threads) {
-    const PathTracer tracer(medium);
+    const PathMedium path_medium(medium);
     std::vector<SkyTruth> result;
     for (std::size_t i = 0; i < directions.size(); ++i) {
         const SkyTruthDirection& at = directions[i];
@@ -58,7 +58,7 @@ std::vector<SkyTruth> trace_sky_truth(const SkyMedium& medium,
         path_settings.paths = settings.paths;
         path_settings.include_seen_ground = false;
         const PathTracedRadiance traced =
-            trace_paths(tracer, at.altitude_km, sun, view, path_settings, threads);
+            trace_paths(path_medium, at.altitude_km, sun, view, path_settings, threads);
         for (int channel = 0; channel < medium.air.channels; ++channel) {
             const auto c = static_cast<std::size_t>(channel);
             SkyTruth truth{at, channel, {}, traced.radiance[c], traced.standard_error[c]};

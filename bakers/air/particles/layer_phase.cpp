@@ -75,11 +75,8 @@ PhaseSource source_of_spheres(const config::LayerParticles& spheres,
     for (const config::Length wavelength : wavelengths) {
         const auto scattering = sphere_scattering(
             own, wavelength, accuracy_for(spheres, wavelength, max_error), threads);
-        PhaseFunction function;
-        function.g = scattering->mean_cosine;
-        function.table = scattering->phase;
-        source.tables.push_back(function.table);
-        source.functions.push_back(std::move(function));
+        source.tables.push_back(scattering->phase);
+        source.functions.push_back({.table = scattering->phase});
         source.error = std::max(source.error, scattering->error);
         const std::string at = fmt::format("_{:.6g}_nm", wavelength.meters * 1e9);
         const auto add = [&](const char* name, double value) {
@@ -115,11 +112,7 @@ LayerPhase layer_phase(const config::Layer& layer) {
     if (layer.phase != config::Phase::mie) return {{make_phase_function(layer.phase, layer.g)}};
     LayerPhase result;
     for (const config::Length wavelength : layer.particles.wavelengths) {
-        const auto scattering = scattering_of(layer.particles, wavelength);
-        PhaseFunction function;
-        function.g = scattering->mean_cosine;
-        function.table = scattering->phase;
-        result.functions.push_back(std::move(function));
+        result.functions.push_back({.table = scattering_of(layer.particles, wavelength)->phase});
     }
     return result;
 }

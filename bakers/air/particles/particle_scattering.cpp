@@ -5,14 +5,13 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
-#include <map>
-#include <mutex>
 #include <numbers>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 #include "bakers/air/particles/angle_nodes.h"
+#include "bakers/air/particles/remembered.h"
 #include "bakers/air/particles/size_distribution.h"
 #include "bakers/air/particles/water_refractive_index.h"
 #include "bakers/math/transcendental.h"
@@ -224,36 +223,6 @@ ComplexNumber tabulated_index(const std::vector<config::IndexPoint>& indices,
             low.imaginary + share * (above->imaginary - low.imaginary)};
 }
 
-std::vector<double> numbers_of(const std::vector<config::IndexPoint>& indices) {
-    std::vector<double> numbers;
-    for (const config::IndexPoint& point : indices) {
-        numbers.insert(numbers.end(), {point.wavelength.meters, point.real, point.imaginary});
-    }
-    return numbers;
-}
-
-// All that the result depends on.
-auto key_of(const config::Particles& particles, config::Length wavelength, double accuracy) {
-    return std::tuple{numbers_of(particles.indices),
-                      particles.smallest_radius.meters,
-                      particles.largest_radius.meters,
-                      particles.material,
-                      particles.refractive_index,
-                      particles.absorption_index,
-                      particles.sizes,
-                      particles.radius.meters,
-                      particles.geometric_deviation,
-                      particles.effective_radius.meters,
-                      particles.effective_variance,
-                      particles.alpha,
-                      particles.gamma,
-                      wavelength.meters,
-                      accuracy};
-}
-
-using Key = decltype(key_of({}, {}, 0));
-using Results = std::map<Key, std::shared_ptr<const ParticleScattering>>;
-
 }  // namespace
 
 ComplexNumber refractive_index(const config::Particles& particles, config::Length wavelength) {
@@ -303,20 +272,12 @@ ParticleScattering particle_scattering(const config::Particles& particles,
 
 std::shared_ptr<const ParticleScattering> remembered_particle_scattering(
     const config::Particles& particles, config::Length wavelength, double accuracy, int threads) {
-    static std::mutex mutex;
-    static Results results;
-    const Key key = key_of(particles, wavelength, accuracy);
-    {
-        const std::lock_guard lock(mutex);
-        const auto known = results.find(key);
-        if (known != results.end()) return known->second;
-    }
-    // Not under the lock: a thread that waits inside parallel_for may be given another task of the
-    // pool, which may ask for particles too.
-    auto made = std::make_shared<const ParticleScattering>(
-        particle_scattering(particles, wavelength, accuracy, threads));
-    const std::lock_guard lock(mutex);
-    return results.try_emplace(key, std::move(made)).first->second;
+    config::Particles nameless = particles;
+    nameless.name.clear();
+    return remembered<ParticleScattering>(std::tuple{nameless, wavelength, accuracy}, [&] {
+        return std::make_shared<const ParticleScattering>(
+            particle_scattering(particles, wavelength, accuracy, threads));
+    });
 }
 
 }  // namespace skybake

@@ -65,9 +65,7 @@ ComplexNumber refractive_index(const config::Particles& particles, config::Lengt
 ParticleScattering particle_scattering(const config::Particles& particles,
                                        config::Length wavelength, double accuracy, int threads);
 
-// Does the same and keeps the result for the life of the process: later calls with the same values
-// (except the name) return what the first one made. May be called from any thread. Calls that
-// arrive while the first one is still computing compute the result themselves.
+// Does the same and keeps the result (remembered.h), whatever the particles' name is.
 std::shared_ptr<const ParticleScattering> remembered_particle_scattering(
     const config::Particles& particles, config::Length wavelength, double accuracy, int threads);
 

@@ -66,9 +66,6 @@ double rayleigh_phase(double nu);
 // up to a constant factor, and nu^2 P_l is a sum of P_(l+2), P_l and P_(l-2).
 
 // chi_0 .. chi_degree, in closed form or of a table.
-//
-// Henyey-Greenstein's are g^l. The forms of phase_function.h are Henyey-Greenstein's times
-// (a + b nu^2), and nu^2 P_l is a sum of P_(l+2), P_l and P_(l-2).
 std::vector<double> legendre_moments(const PhaseFunction& phase, int degree);
 
 }  // namespace skybake

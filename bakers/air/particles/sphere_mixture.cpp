@@ -4,13 +4,12 @@
 #include <array>
 #include <cassert>
 #include <cmath>
-#include <functional>
 #include <limits>
-#include <mutex>
 #include <utility>
 #include <vector>
 
 #include "bakers/air/particles/particle_scattering.h"
+#include "bakers/air/particles/remembered.h"
 #include "bakers/math/transcendental.h"
 #include "config/sections/spectral_air.h"
 
@@ -29,30 +28,10 @@ struct Request {
     bool operator==(const Request&) const = default;
 };
 
-Shared remembered(Request request, const std::function<Shared(const Request&)>& make) {
-    static std::mutex mutex;
-    static std::vector<std::pair<Request, Shared>> results;
-    request.layer.wavelengths.clear();
-    const auto known = [&]() -> Shared {
-        const auto found = std::ranges::find(results, request, &std::pair<Request, Shared>::first);
-        return found == results.end() ? nullptr : found->second;
-    };
-    {
-        const std::lock_guard lock(mutex);
-        if (Shared result = known()) return result;
-    }
-    // Not under the lock: see remembered_particle_scattering.
-    Shared made = make(request);
-    const std::lock_guard lock(mutex);
-    if (Shared earlier = known()) return earlier;
-    return results.emplace_back(std::move(request), std::move(made)).second;
-}
-
 // The kinds at their own numbers.
 Shared unscaled(const LayerParticles& layer, Length wavelength, double accuracy, int threads) {
     SphereScattering sum;
     std::vector<WeightedPhase> phases;
-    double cosines = 0;
     for (const config::SphereKind& kind : layer.kinds) {
         const auto one =
             remembered_particle_scattering(kind.particles, wavelength, accuracy, threads);
@@ -61,10 +40,8 @@ Shared unscaled(const LayerParticles& layer, Length wavelength, double accuracy,
         sum.extinction_per_m += per_m3 * one->extinction_cross_section_m2;
         sum.scattering_per_m += scattering;
         sum.error = std::max(sum.error, one->error);
-        cosines += scattering * one->mean_cosine;
         phases.push_back({scattering, {one, &one->phase}});
     }
-    sum.mean_cosine = cosines / sum.scattering_per_m;
     sum.phase = mixed_phase(phases);
     return std::make_shared<const SphereScattering>(std::move(sum));
 }
@@ -126,7 +103,6 @@ Shared interpolated(const Request& request, int threads) {
     result.extinction_per_m = on_power_law(low->extinction_per_m, high->extinction_per_m, at);
     result.scattering_per_m = std::min(
         on_power_law(low->scattering_per_m, high->scattering_per_m, at), result.extinction_per_m);
-    result.mean_cosine = low->mean_cosine + at.share * (high->mean_cosine - low->mean_cosine);
     const std::array phases = {WeightedPhase{1 - at.share, low->phase},
                                WeightedPhase{at.share, high->phase}};
     result.phase = mixed_phase(phases);
@@ -139,7 +115,9 @@ Shared interpolated(const Request& request, int threads) {
 Shared sphere_scattering(const LayerParticles& layer, Length wavelength, double accuracy,
                          int threads) {
     assert(!layer.kinds.empty());
-    return remembered({layer, wavelength, accuracy}, [&](const Request& request) {
+    Request request{layer, wavelength, accuracy};
+    request.layer.wavelengths.clear();
+    return remembered<SphereScattering>(request, [&] {
         return layer.step.meters > 0 ? interpolated(request, threads) : scaled(request, threads);
     });
 }

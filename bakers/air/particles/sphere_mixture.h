@@ -15,7 +15,6 @@ namespace skybake {
 struct SphereScattering {
     double extinction_per_m = 0;  // where the layer's density is 1; never below scattering
     double scattering_per_m = 0;
-    double mean_cosine = 0;
     std::shared_ptr<const TabulatedPhase> phase;
     double error = 0;  // of the phase function, as in ParticleScattering
 };

@@ -8,6 +8,7 @@
 
 #include "bakers/math/quadrature.h"
 #include "bakers/math/transcendental.h"
+#include "config/text/mapped.h"
 
 namespace skybake {
 namespace {
@@ -104,31 +105,35 @@ ScatteringAngle node_angle(double offset, bool backward) {
     return backward ? ScatteringAngle{2 - offset, offset} : ScatteringAngle{offset, 2 - offset};
 }
 
-// The values at every step-th node of `cells`, from the first-th on: of the forward half, then of
-// the backward one.
-std::vector<double> values_at(const PhaseAtAngles& values, int cells, int first, int step) {
+// The values at every step-th node of `cells`, from the first-th on.
+PhaseHalves values_at(const PhaseAtAngles& values, int cells, int first, int step) {
     std::vector<ScatteringAngle> angles;
     for (const bool backward : {false, true}) {
         for (int i = first; i <= cells; i += step) {
             angles.push_back(node_angle(node_offset(i, cells), backward));
         }
     }
-    return values(angles);
+    const std::vector<double> both = values(angles);
+    const auto middle = both.begin() + static_cast<std::ptrdiff_t>(both.size() / 2);
+    return {{both.begin(), middle}, {middle, both.end()}};
 }
 
 // The largest relative error of a half's interpolation at the middles of its cells.
-double middle_error(const std::vector<double>& half, const double* middles) {
-    const int cells = static_cast<int>(half.size()) - 1;
+double middle_error(const std::vector<double>& half, const std::vector<double>& middles) {
+    const int cells = static_cast<int>(middles.size());
     double worst = 0;
     for (int i = 0; i < cells; ++i) {
         const double offset = node_offset(2 * i + 1, 2 * cells);
-        const double error = half_value(half, cells, offset) - middles[i];
-        worst = std::max(worst, std::fabs(error) / middles[i]);
+        const double middle = middles[static_cast<std::size_t>(i)];
+        const double error = half_value(half, cells, offset) - middle;
+        worst = std::max(worst, std::fabs(error) / middle);
     }
     return worst;
 }
 
-std::vector<double> interleaved(const std::vector<double>& nodes, const double* middles) {
+std::vector<double> interleaved(const std::vector<double>& nodes,
+                                const std::vector<double>& middles) {
+    assert(nodes.size() == middles.size() + 1);
     std::vector<double> result = {nodes.front()};
     for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
         result.push_back(middles[i]);
@@ -147,10 +152,7 @@ void add_half(double weight, const std::vector<double>& half, std::vector<double
 }
 
 std::vector<double> logarithms(const std::vector<double>& values) {
-    std::vector<double> result;
-    result.reserve(values.size());
-    for (const double value : values) result.push_back(logarithm(value));
-    return result;
+    return mapped<double>(values, [](double value) { return logarithm(value); });
 }
 
 // Lagrange's polynomial through the six nodes about `position`, in units of their distance.
@@ -242,22 +244,15 @@ ScatteringAngle sample_tabulated_phase(const TabulatedPhase& phase, double share
 }
 
 MeasuredPhase make_tabulated_phase(const PhaseAtAngles& values, double bound) {
-    const auto split = [](const std::vector<double>& both) {
-        const auto half = static_cast<std::ptrdiff_t>(both.size() / 2);
-        return std::pair{std::vector<double>(both.begin(), both.begin() + half),
-                         std::vector<double>(both.begin() + half, both.end())};
-    };
-    auto [forward, backward] = split(values_at(values, kFewestCells, 0, 1));
+    PhaseHalves nodes = values_at(values, kFewestCells, 0, 1);
     for (int cells = kFewestCells;; cells *= 2) {
-        const std::vector<double> middles = values_at(values, 2 * cells, 1, 2);
-        const double* back_middles = middles.data() + cells;
-        const double error =
-            std::max(middle_error(forward, middles.data()), middle_error(backward, back_middles));
+        const PhaseHalves middles = values_at(values, 2 * cells, 1, 2);
+        const double error = std::max(middle_error(nodes.forward, middles.forward),
+                                      middle_error(nodes.backward, middles.backward));
         if (error <= bound || cells == kMostCells) {
-            return {normalised_phase(std::move(forward), std::move(backward)), error};
+            return {normalised_phase(std::move(nodes.forward), std::move(nodes.backward)), error};
         }
-        forward = interleaved(forward, middles.data());
-        backward = interleaved(backward, back_middles);
+        nodes = interleaved(nodes, middles);
     }
 }
 
@@ -273,10 +268,8 @@ PhaseHalves interpolated_middles(const PhaseHalves& nodes) {
 }
 
 PhaseHalves interleaved(const PhaseHalves& nodes, const PhaseHalves& middles) {
-    assert(nodes.forward.size() == middles.forward.size() + 1);
-    assert(nodes.backward.size() == middles.backward.size() + 1);
-    return {interleaved(nodes.forward, middles.forward.data()),
-            interleaved(nodes.backward, middles.backward.data())};
+    return {interleaved(nodes.forward, middles.forward),
+            interleaved(nodes.backward, middles.backward)};
 }
 
 PhaseInterpolation::PhaseInterpolation(const PhaseHalves& nodes)

@@ -14,6 +14,7 @@
 #include "bakers/field/baked.h"
 #include "bakers/field/finish_volume.h"
 #include "bakers/math/quadrature.h"
+#include "bakers/noise/noise_bounds.h"
 #include "bakers/noise/noise_field.h"
 #include "bakers/noise/noise_reference.h"
 #include "bakers/noise/noise_specification.h"

@@ -23,7 +23,7 @@ Spectrum first_order(const SkyMedium& medium, const SkySample& sample) {
 // Returns the light that comes straight from the sun onto a level surface.
 Spectrum sunlight_on(const TracedAir& air, const LevelSample& at) {
     if (!(at.sun.cosine > 0)) return {};
-    const AirShells& shells = air.tracer().medium().air();
+    const AirShells& shells = air.path_medium().air();
     const double r = shells.planet().ground_radius_km + at.altitude_km;
     return at.sun.cosine *
            shells.sunlight(at.altitude_km, r * at.sun.cosine, shells.shell_at(at.altitude_km));
@@ -32,7 +32,7 @@ Spectrum sunlight_on(const TracedAir& air, const LevelSample& at) {
 }  // namespace
 
 TracedAir::TracedAir(const config::Atmosphere& atmosphere)
-    : medium_(make_sky_medium(atmosphere)), tracer_(medium_) {}
+    : path_medium_(make_sky_medium(atmosphere)) {}
 
 TraceOfPlace trace_of_sky(std::shared_ptr<const TracedAir> air, std::vector<SkySample> samples,
                           config::SkyOrders orders, bool includes_ground) {
@@ -41,7 +41,7 @@ TraceOfPlace trace_of_sky(std::shared_ptr<const TracedAir> air, std::vector<SkyS
         settings.include_seen_ground = includes_ground;
         const SkySample& at = samples[place];
         PathTracedRadiance light =
-            trace_paths(air->tracer(), at.altitude_km, at.sun, at.direction, settings, 1);
+            trace_paths(air->path_medium(), at.altitude_km, at.sun, at.direction, settings, 1);
         if (orders == config::SkyOrders::multiple) {
             light.radiance -= first_order(air->medium(), at);
         }
@@ -57,7 +57,7 @@ TraceOfPlace trace_of_air(std::shared_ptr<const TracedAir> air, std::vector<AirS
         const AirSample& at = samples[place];
         settings.length_km = at.distance_km;
         PathTracedRadiance light =
-            trace_paths(air->tracer(), at.altitude_km, at.sun, at.direction, settings, 1);
+            trace_paths(air->path_medium(), at.altitude_km, at.sun, at.direction, settings, 1);
         if (orders == config::SkyOrders::multiple) light.radiance -= light.orders[0];
         return light;
     };
@@ -69,7 +69,7 @@ TraceOfPlace trace_of_irradiance(std::shared_ptr<const TracedAir> air,
                std::size_t place, const PathTracerSettings& settings) {
         const LevelSample& at = samples[place];
         PathTracedRadiance light =
-            trace_irradiance(air->tracer(), at.altitude_km, at.sun, settings, 1);
+            trace_irradiance(air->path_medium(), at.altitude_km, at.sun, settings, 1);
         if (orders == config::SkyOrders::multiple) {
             light.radiance -= light.orders[0];
             light.walked = light.radiance;

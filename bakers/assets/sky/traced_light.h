@@ -26,15 +26,11 @@ struct Baked;
 class TracedAir {
   public:
     explicit TracedAir(const config::Atmosphere& atmosphere);
-    TracedAir(const TracedAir&) = delete;  // the tracer refers to the medium
-    TracedAir& operator=(const TracedAir&) = delete;
-
-    const SkyMedium& medium() const { return medium_; }
-    const PathTracer& tracer() const { return tracer_; }
+    const SkyMedium& medium() const { return path_medium_.sky(); }
+    const PathMedium& path_medium() const { return path_medium_; }
 
   private:
-    SkyMedium medium_;
-    PathTracer tracer_;
+    PathMedium path_medium_;
 };
 
 // Returns the light of a place by paths, on one thread.

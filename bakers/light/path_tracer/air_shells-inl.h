@@ -267,8 +267,9 @@ HWY_INLINE Real shell_of_vertical(const AirTables& air, const PointInShell<Real>
     return select(above_shell > share, shell + Real(1.0), shell);
 }
 
-// See AirShells::point_at_depth. `on_line` is a point of the line in its shell, whose depth to the top
-// is `depth_there`.
+// Returns the point, at or above shell `lowest` and at or below shell `highest`, on the line through
+// `on_line`, where U of one channel is `depth`; at `on_line` it is `depth_there`. If U is below
+// `depth` everywhere on the line, returns the line's lowest point.
 template <class Real>
 HWY_INLINE PointInShell<Real> point_at_depth(const AirTables& air,
                                              const PointInShell<Real>& on_line, Real depth_there,

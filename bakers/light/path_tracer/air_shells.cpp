@@ -121,17 +121,12 @@ std::vector<double> levels_km(const Medium& air) {
     return levels;
 }
 
-const Spectrum& extinction_at_density_one(const Medium& alone) {
-    return alone.exponential_layers.empty() ? alone.piecewise_layers[0].extinction_per_km
-                                            : alone.exponential_layers[0].extinction_per_km;
-}
-
-double density_of_layer(const Medium& alone, double altitude_km) {
-    const Spectrum& unit = extinction_at_density_one(alone);
+double density_of_layer(const SkyLayer& layer, double altitude_km) {
+    const Spectrum unit = full_coefficients(layer).extinction_per_km;
     const double* first = data(unit);
     const auto channel =
         static_cast<std::size_t>(std::max_element(first, first + kMaxChannels) - first);
-    return extinction_at(alone, altitude_km)[channel] / unit[channel];
+    return extinction_at(layer.alone, altitude_km)[channel] / unit[channel];
 }
 
 }  // namespace
@@ -147,14 +142,11 @@ AirShells::AirShells(const SkyMedium& medium) {
             i + 2 < levels.size() ? levels[i + 2] - levels[i + 1] : levels[i + 1] - levels[i];
         add_level(medium.air, above);
     }
-    int shell = 0;
+    std::size_t shell = 0;
     for (int i = 0; i < kSlices; ++i) {
         const double altitude = planet().thickness_km * i / kSlices;
-        while (shell + 1 < count() &&
-               tables_.shells[static_cast<std::size_t>(shell)].top_km <= altitude) {
-            ++shell;
-        }
-        tables_.guide.push_back(shell);
+        while (shell + 1 < count() && tables_.shells[shell].top_km <= altitude) ++shell;
+        tables_.guide.push_back(static_cast<int>(shell));
     }
     for (std::size_t c = 0; c < kMaxChannels; ++c) add_shares(c);
 }
@@ -175,7 +167,7 @@ void AirShells::add_shell(const SkyMedium& medium, double bottom_km, double top_
         const double altitude = top_km + gain_of_square_km(shell.top_radius_km, q);
         extinction[i] = extinction_at(medium.air, altitude);
         for (std::size_t k = 0; k < tables_.layers; ++k) {
-            densities[k][i] = density_of_layer(medium.layers[k].alone, altitude);
+            densities[k][i] = density_of_layer(medium.layers[k], altitude);
         }
     }
     for (std::size_t c = 0; c < kMaxChannels; ++c) {
@@ -231,8 +223,8 @@ void AirShells::add_shares(std::size_t channel) {
     const double radius = planet().ground_radius_km;
     const double whole = depth_to_top({0, radius, 0})[channel];
     std::vector<double> shares = {whole > 0 ? 1.0 : 0.0};
-    for (int i = 0; i < count(); ++i) {
-        const double top = tables_.shells[static_cast<std::size_t>(i)].top_km;
+    for (std::size_t i = 0; i < count(); ++i) {
+        const double top = tables_.shells[i].top_km;
         const double depth = depth_to_top({top, radius + top, i})[channel];
         shares.push_back(whole > 0 ? depth / whole : 0);
     }
@@ -241,46 +233,27 @@ void AirShells::add_shares(std::size_t channel) {
         tables_.vertical_shares[i * kChannelSlots + channel] = shares[i];
     }
     // From thin air to dense air: the lowest shell with no more above it than the step's upper end.
-    int shell = count() - 1;
+    std::size_t shell = count() - 1;
     for (std::size_t i = 1; i <= AirTables::kShares; ++i) {
         constexpr std::size_t kSteps = std::size_t{1} << AirTables::kShareBits;
         const double power = static_cast<double>(std::uint64_t{1} << (i / kSteps));
         const double share =
             AirTables::kLeastShare * power * (1 + static_cast<double>(i % kSteps) / kSteps);
-        while (shell > 0 && shares[static_cast<std::size_t>(shell)] <= share) --shell;
-        tables_.shell_at_share.push_back(shell);
+        while (shell > 0 && shares[shell] <= share) --shell;
+        tables_.shell_at_share.push_back(static_cast<double>(shell));
     }
 }
 
-int AirShells::shell_at(double altitude_km) const {
-    return static_cast<int>(kernel::shell_at(tables_, altitude_km));
-}
-
-Spectrum AirShells::extinction(int shell, double altitude_km) const {
-    return kernel::extinction_at(tables_, static_cast<std::size_t>(shell), altitude_km).spectrum();
-}
-
-double AirShells::density(int shell, int layer, double altitude_km) const {
-    return kernel::density_at(tables_, static_cast<std::size_t>(shell),
-                              static_cast<std::size_t>(layer), altitude_km);
+std::size_t AirShells::shell_at(double altitude_km) const {
+    return kernel::shell_at(tables_, altitude_km);
 }
 
 Spectrum AirShells::depth_to_top(const Point& point) const {
-    return kernel::depth_to_top(tables_, point.altitude_km, point.s_km,
-                                static_cast<std::size_t>(point.shell))
-        .spectrum();
+    return kernel::depth_to_top(tables_, point.altitude_km, point.s_km, point.shell).spectrum();
 }
 
-AirShells::Point AirShells::point_at_depth(const Point& on_line, std::size_t channel, double depth,
-                                           int lowest, int highest) const {
-    const kernel::PointInShell<double> found = kernel::point_at_depth<double>(
-        tables_, {on_line.altitude_km, on_line.s_km, static_cast<double>(on_line.shell)},
-        depth_to_top(on_line)[channel], static_cast<double>(channel), depth, lowest, highest);
-    return {found.altitude_km, found.s_km, static_cast<int>(found.shell)};
-}
-
-Spectrum AirShells::sunlight(double altitude_km, double s_km, int shell) const {
-    return kernel::sunlight(tables_, altitude_km, s_km, static_cast<std::size_t>(shell)).spectrum();
+Spectrum AirShells::sunlight(double altitude_km, double s_km, std::size_t shell) const {
+    return kernel::sunlight(tables_, altitude_km, s_km, shell).spectrum();
 }
 
 }  // namespace skybake

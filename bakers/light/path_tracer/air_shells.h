@@ -12,8 +12,6 @@
 // horizontal path through the shell above, and falls as 1 / s beyond, so intervals grow with s. A
 // level lies on either side of each edge of a layer, so that nothing is interpolated across an
 // edge. Depths along any other path are sums and differences of U.
-//
-// The tables of air_shells.h, as its kernels read them.
 #pragma once
 
 #include <cstddef>
@@ -25,6 +23,7 @@
 
 namespace skybake {
 
+// The tables, as kernels read them.
 struct AirTables {
     static constexpr int kDegree = 5;
     // 2^5 intervals each time that s + k doubles: the upper bits of s + k count them.
@@ -82,34 +81,24 @@ class AirShells {
     struct Point {
         double altitude_km = 0;
         double s_km = 0;  // not negative
-        int shell = 0;
+        std::size_t shell = 0;
     };
 
     // Returns the shell that contains an altitude in [0, thickness]; at a level between two shells,
     // the upper one.
-    int shell_at(double altitude_km) const;
+    std::size_t shell_at(double altitude_km) const;
 
     // Returns U (see above), within 2e-7 of its value or of a millionth of the depth of all air,
     // and within 1e-6 for air very unlike a planet's.
     Spectrum depth_to_top(const Point& point) const;
 
-    // Returns the point, at or above shell `lowest` and at or below shell `highest`, on the line
-    // through `on_line`, where U of one channel is `depth`. If U is below `depth` everywhere on the
-    // line, returns the line's lowest point.
-    Point point_at_depth(const Point& on_line, std::size_t channel, double depth, int lowest,
-                         int highest) const;
-
-    // Return the extinction in 1/km, and the density of one layer, at a point of a shell.
-    Spectrum extinction(int shell, double altitude_km) const;
-    double density(int shell, int layer, double altitude_km) const;  // of SkyMedium::layers
-
     // Returns the transmittance to the top of the atmosphere at a point where r mu = `s_km` towards
     // the light. It is 0 in the planet's shadow, whose edge is exact.
-    Spectrum sunlight(double altitude_km, double s_km, int shell) const;
+    Spectrum sunlight(double altitude_km, double s_km, std::size_t shell) const;
 
     const AirTables& tables() const { return tables_; }
     const Shell& planet() const { return tables_.planet; }
-    int count() const { return static_cast<int>(tables_.shells.size()); }
+    std::size_t count() const { return tables_.shells.size(); }
 
   private:
     void add_shell(const SkyMedium& medium, double bottom_km, double top_km);

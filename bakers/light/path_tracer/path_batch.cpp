@@ -44,8 +44,7 @@ class Walk : public PathFlights {
             Channels sum(0.0);
             for (std::size_t k = 0; k < scatterers.size(); ++k) {
                 const double density =
-                    density_at(air_, shell_of(i), static_cast<std::size_t>(scatterers[k].layer),
-                               columns_.altitude_km[i]);
+                    density_at(air_, shell_of(i), scatterers[k].layer, columns_.altitude_km[i]);
                 density_[k][i] = std::max(density, 0.0);  // rounding
                 sum = sum + density_[k][i] * Channels(scatterers[k].scattering_per_km);
             }

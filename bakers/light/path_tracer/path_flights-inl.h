@@ -52,7 +52,7 @@ class PathFlights : public PathState {
         columns_.s_km[i] = flight.s_km;
         columns_.falls[i] = flight.falls ? 1 : 0;
         columns_.hits_ground[i] = flight.hits_ground ? 1 : 0;
-        columns_.lowest_shell[i] = flight.lowest_shell;
+        columns_.lowest_shell[i] = static_cast<double>(flight.lowest_shell);
         packets_.from.store(i, Channels(flight.from));
         packets_.lowest.store(i, Channels(flight.lowest));
         packets_.scattered.store(i, Channels(flight.scattered));

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <numbers>
+#include <utility>
 
 #include "bakers/light/path_tracer/path_steps-inl.h"
 #include "bakers/math/transcendental.h"
@@ -29,40 +29,30 @@ glm::dvec3 sample_sun(const PathSource& source, RandomStream& random) {
     return scatter(source.sun, {one_minus, 2 - one_minus}, random.next());
 }
 
-PathMedium::PathMedium(const SkyMedium& medium) : medium_(medium), air_(medium) {
-    for (std::size_t k = 0; k < medium.layers.size(); ++k) {
-        const SkyLayer& layer = medium.layers[k];
+PathMedium::PathMedium(SkyMedium medium) : medium_(std::move(medium)), air_(medium_) {
+    for (std::size_t k = 0; k < medium_.layers.size(); ++k) {
+        const SkyLayer& layer = medium_.layers[k];
         if (!layer.scatters) continue;
-        const Spectrum& scattering = layer.alone.exponential_layers.empty()
-                                         ? layer.alone.piecewise_layers[0].scattering_per_km
-                                         : layer.alone.exponential_layers[0].scattering_per_km;
-        scatterers_.push_back({static_cast<int>(k), layer.phase, scattering});
+        scatterers_.push_back({k, layer.phase, full_coefficients(layer).scattering_per_km});
     }
 }
 
 PathMedium::Flight PathMedium::begin_flight(const PathStart& start) const {
-    const Shell& planet = air_.planet();
+    const auto line = kernel::flight_line<double>(
+        air_.planet(), start.altitude_km, {start.up.x, start.up.y, start.up.z},
+        {start.direction.x, start.direction.y, start.direction.z});
     Flight flight;
-    flight.s_km =
-        (planet.ground_radius_km + start.altitude_km) * glm::dot(start.up, start.direction);
-    flight.falls = flight.s_km < 0;
+    flight.s_km = line.s_km;
+    flight.falls = line.falls;
+    flight.hits_ground = line.hits_ground;
     flight.from = air_.depth_to_top(
         {start.altitude_km, std::fabs(flight.s_km), air_.shell_at(start.altitude_km)});
     flight.lowest = flight.from;
     Spectrum depth = flight.from;
     if (flight.falls) {
-        const double horizon = horizon_distance_km(planet, start.altitude_km);
-        flight.hits_ground = flight.s_km < -horizon;
-        AirShells::Point lowest;
-        if (flight.hits_ground) {
-            lowest.s_km = std::sqrt((-flight.s_km - horizon) * (horizon - flight.s_km));
-        } else {
-            const double drop = drop_to_nearest_km(planet, start.altitude_km, flight.s_km);
-            lowest.altitude_km = std::max(start.altitude_km - drop, 0.0);  // rounding
-        }
-        lowest.shell = air_.shell_at(lowest.altitude_km);
-        flight.lowest_shell = lowest.shell;
-        flight.lowest = air_.depth_to_top(lowest);
+        flight.lowest_shell = air_.shell_at(line.lowest_altitude_km);
+        flight.lowest =
+            air_.depth_to_top({line.lowest_altitude_km, line.lowest_s_km, flight.lowest_shell});
         depth = flight.lowest - flight.from;
         if (!flight.hits_ground) depth = depth + flight.lowest;
         depth = maximum(depth, Spectrum(0.0));  // rounding

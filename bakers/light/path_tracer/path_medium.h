@@ -72,11 +72,10 @@ glm::dvec3 sample_sun(const PathSource& source, RandomStream& random);
 // The air and the ground, as paths meet them.
 class PathMedium {
   public:
-    // `medium` must outlive it.
-    explicit PathMedium(const SkyMedium& medium);
+    explicit PathMedium(SkyMedium medium);
 
     struct Scatterer {
-        int layer;
+        std::size_t layer;
         LayerPhase phase;
         Spectrum scattering_per_km;  // at density 1
     };
@@ -86,7 +85,7 @@ class PathMedium {
         double s_km = 0;  // r mu at its start
         bool falls = false;
         bool hits_ground = false;
-        int lowest_shell = 0;
+        std::size_t lowest_shell = 0;
         Spectrum from;       // depth to the top, along the line, from |s_km|
         Spectrum lowest;     // the same from the lowest point, or from the ground
         Spectrum through;    // its transmittance
@@ -106,7 +105,7 @@ class PathMedium {
     Flight begin_flight(const PathStart& start) const;
     void cut_flight(const PathStart& start, Flight& flight) const;
 
-    const SkyMedium& medium_;
+    SkyMedium medium_;
     AirShells air_;
     std::vector<Scatterer> scatterers_;
 };

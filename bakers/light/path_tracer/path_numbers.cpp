@@ -71,32 +71,6 @@ namespace skybake {
 
 HWY_EXPORT(ScrambledRow);
 
-namespace {
-
-constexpr std::uint32_t reversed(std::uint32_t x) {
-    x = (x >> 16) | (x << 16);
-    x = ((x & 0x00ff00ff) << 8) | ((x & 0xff00ff00) >> 8);
-    x = ((x & 0x0f0f0f0f) << 4) | ((x & 0xf0f0f0f0) >> 4);
-    x = ((x & 0x33333333) << 2) | ((x & 0xcccccccc) >> 2);
-    return ((x & 0x55555555) << 1) | ((x & 0xaaaaaaaa) >> 1);
-}
-
-// Scrambles as the vectors above do, one number at a time.
-std::uint32_t scrambled(std::uint32_t bits, std::uint32_t seed) {
-    std::uint32_t x = reversed(bits);
-    x ^= x * 0x3d20adea;
-    x += seed;
-    x *= (seed >> 16) | 1;
-    x ^= x * 0x05526c56;
-    x ^= x * 0x53a22864;
-    return reversed(x);
-}
-
-// The middle of one of 2^32 equal intervals.
-double middle(std::uint32_t bits) { return (bits + 0.5) * 0x1p-32; }
-
-}  // namespace
-
 ScrambledPoints::ScrambledPoints(std::uint64_t seed, std::uint32_t ray, std::uint32_t scrambling) {
     // No stream of random numbers has this address: its third word is a path's upper half.
     constexpr std::uint32_t kAddress = 0xffffffff;
@@ -108,12 +82,6 @@ ScrambledPoints::ScrambledPoints(std::uint64_t seed, std::uint32_t ray, std::uin
     }
 }
 
-double ScrambledPoints::coordinate(std::uint32_t point, std::size_t dimension) const {
-    assert(dimension < kDimensions);
-    return middle(
-        scrambled(config::sobol_bits(point, static_cast<int>(dimension)), seeds_[dimension]));
-}
-
 void ScrambledPoints::coordinates(std::uint32_t first, std::size_t count, std::size_t dimension,
                                   double* coordinates) const {
     assert(dimension < kDimensions && count > 0);
@@ -123,7 +91,7 @@ void ScrambledPoints::coordinates(std::uint32_t first, std::size_t count, std::s
         const std::size_t used = std::min(kRow, count - i);
         HWY_DYNAMIC_DISPATCH(ScrambledRow)
         (first + static_cast<std::uint32_t>(i), used, dimension, seeds_[dimension], bits);
-        for (std::size_t k = 0; k < used; ++k) coordinates[i + k] = middle(bits[k]);
+        for (std::size_t k = 0; k < used; ++k) coordinates[i + k] = (bits[k] + 0.5) * 0x1p-32;
     }
 }
 

@@ -72,10 +72,8 @@ class ScrambledPoints {
     // Scramblings of other seeds, rays or numbers are independent.
     ScrambledPoints(std::uint64_t seed, std::uint32_t ray, std::uint32_t scrambling);
 
-    // Returns a coordinate of a point, in (0, 1): the middle of one of 2^32 equal intervals.
-    double coordinate(std::uint32_t point, std::size_t dimension) const;
-
-    // Sets `coordinates` to that coordinate of `count` points from `first` on.
+    // Sets `coordinates` to a coordinate of `count` points from `first` on, each in (0, 1): the
+    // middle of one of 2^32 equal intervals.
     void coordinates(std::uint32_t first, std::size_t count, std::size_t dimension,
                      double* coordinates) const;
 

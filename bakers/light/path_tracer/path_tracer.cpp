@@ -218,13 +218,12 @@ glm::dvec3 up_at(const Shell& shell, double altitude_km, double distance_km,
 }
 
 // Walks for all orders.
-PathTracedRadiance walk_all(const PathTracer& tracer, const PathSource& source,
+PathTracedRadiance walk_all(const PathMedium& medium, const PathSource& source,
                             const PathStart& start, Aperture aperture,
                             const PathTracerSettings& settings, int threads) {
     assert(settings.paths >= 1);
-    return trace(
-        {tracer.medium(), source, start, aperture, {true, settings.include_seen_ground}, settings},
-        threads);
+    return trace({medium, source, start, aperture, {true, settings.include_seen_ground}, settings},
+                 threads);
 }
 
 }  // namespace
@@ -243,19 +242,19 @@ Spectrum standard_error_of(const std::array<Spectrum, kPathReplicates>& replicat
     return error;
 }
 
-PathTracedRadiance trace_paths(const PathTracer& tracer, double altitude_km, const SunZenith& sun,
+PathTracedRadiance trace_paths(const PathMedium& medium, double altitude_km, const SunZenith& sun,
                                const SkyDirection& direction, const PathTracerSettings& settings,
                                int threads) {
     assert(settings.paths >= 1);
-    const SkyMedium& medium = tracer.medium().sky();
-    const CameraRay ray = camera_ray(shell_of(medium.air), altitude_km, sun, direction);
+    const SkyMedium& sky = medium.sky();
+    const CameraRay ray = camera_ray(shell_of(sky.air), altitude_km, sun, direction);
     const double length_km = settings.length_km - ray.distance_km;
     const bool meets_air = ray.in_air.length_km > 0 || ray.in_air.meets_ground;
     if (!(length_km > 0 && meets_air)) return {};
     const bool walks_first = !settings.deterministic_first_order || settings.sun_radius > 0;
     PathStart start = {{0, 0, 1}, view_vector(sun, direction), ray.in_air.altitude_km, length_km};
-    start.up = up_at(shell_of(medium.air), altitude_km, ray.distance_km, start.direction);
-    PathTracedRadiance result = trace({tracer.medium(),
+    start.up = up_at(shell_of(sky.air), altitude_km, ray.distance_km, start.direction);
+    PathTracedRadiance result = trace({medium,
                                        {false, sun_vector(sun), settings.sun_radius},
                                        start,
                                        Aperture::ray,
@@ -263,7 +262,7 @@ PathTracedRadiance trace_paths(const PathTracer& tracer, double altitude_km, con
                                        settings},
                                       threads);
     if (walks_first) return result;
-    const SkyIntegrator integrator(medium, nullptr);
+    const SkyIntegrator integrator(sky, nullptr);
     const SkyRadiance first = length_km < ray.in_air.length_km
                                   ? integrator.up_to(ray.in_air, {length_km}).front()
                                   : integrator.radiance(ray.in_air);
@@ -275,27 +274,27 @@ PathTracedRadiance trace_paths(const PathTracer& tracer, double altitude_km, con
     return result;
 }
 
-PathTracedRadiance trace_ambient_paths(const PathTracer& tracer, double altitude_km,
+PathTracedRadiance trace_ambient_paths(const PathMedium& medium, double altitude_km,
                                        double cos_zenith, const PathTracerSettings& settings,
                                        int threads) {
     assert(cos_zenith >= -1 && cos_zenith <= 1);
     const double sine = std::sqrt((1 - cos_zenith) * (1 + cos_zenith));
     const PathStart start = {{0, 0, 1}, {sine, 0, cos_zenith}, altitude_km};
-    return walk_all(tracer, {true, {}, 0}, start, Aperture::ray, settings, threads);
+    return walk_all(medium, {true, {}, 0}, start, Aperture::ray, settings, threads);
 }
 
-PathTracedRadiance trace_mean_radiance(const PathTracer& tracer, double altitude_km,
+PathTracedRadiance trace_mean_radiance(const PathMedium& medium, double altitude_km,
                                        const SunZenith& sun, const PathTracerSettings& settings,
                                        int threads) {
-    return walk_all(tracer, {false, sun_vector(sun), settings.sun_radius},
+    return walk_all(medium, {false, sun_vector(sun), settings.sun_radius},
                     {{0, 0, 1}, {0, 0, 1}, altitude_km}, Aperture::sphere, settings, threads);
 }
 
-PathTracedRadiance trace_irradiance(const PathTracer& tracer, double altitude_km,
+PathTracedRadiance trace_irradiance(const PathMedium& medium, double altitude_km,
                                     const SunZenith& sun, const PathTracerSettings& settings,
                                     int threads) {
     PathTracedRadiance result =
-        walk_all(tracer, {false, sun_vector(sun), settings.sun_radius},
+        walk_all(medium, {false, sun_vector(sun), settings.sun_radius},
                  {{0, 0, 1}, {0, 0, 1}, altitude_km}, Aperture::level_surface, settings, threads);
     result.radiance = std::numbers::pi * result.radiance;
     result.walked = result.radiance;

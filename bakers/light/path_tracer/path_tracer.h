@@ -53,38 +53,28 @@ struct PathTracedRadiance {
 Spectrum standard_error_of(const std::array<Spectrum, kPathReplicates>& replicates,
                            const Spectrum& mean);
 
-class PathTracer {
-  public:
-    // `medium` must outlive it.
-    explicit PathTracer(const SkyMedium& medium) : medium_(medium) {}
-    const PathMedium& medium() const { return medium_; }
-
-  private:
-    PathMedium medium_;
-};
-
 // Returns the radiance along one ray. A ray from space that passes above the air sees nothing.
-PathTracedRadiance trace_paths(const PathTracer& tracer, double altitude_km, const SunZenith& sun,
+PathTracedRadiance trace_paths(const PathMedium& medium, double altitude_km, const SunZenith& sun,
                                const SkyDirection& direction, const PathTracerSettings& settings,
                                int threads);
 
 // Returns the same in a sky of radiance 1 all around the planet, without a sun: 1 where nothing
 // absorbs (the white furnace). Light that comes from that sky without any event belongs to no
 // order.
-PathTracedRadiance trace_ambient_paths(const PathTracer& tracer, double altitude_km,
+PathTracedRadiance trace_ambient_paths(const PathMedium& medium, double altitude_km,
                                        double cos_zenith, const PathTracerSettings& settings,
                                        int threads);
 
 // Returns the mean over all directions of the light at a point that has had at least one event:
 // 1/4pi times the integral of L. Its order n is the light after n events. All orders are traced by
 // paths.
-PathTracedRadiance trace_mean_radiance(const PathTracer& tracer, double altitude_km,
+PathTracedRadiance trace_mean_radiance(const PathMedium& medium, double altitude_km,
                                        const SunZenith& sun, const PathTracerSettings& settings,
                                        int threads);
 
 // Returns the irradiance of a level surface that faces up, by the sky without the sun's disc. All
 // orders are traced by paths.
-PathTracedRadiance trace_irradiance(const PathTracer& tracer, double altitude_km,
+PathTracedRadiance trace_irradiance(const PathMedium& medium, double altitude_km,
                                     const SunZenith& sun, const PathTracerSettings& settings,
                                     int threads);
 

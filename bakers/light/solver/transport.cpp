@@ -13,7 +13,6 @@
 #include "bakers/light/solver/needed_degrees.h"
 #include "bakers/light/solver/residual_search.h"
 #include "bakers/math/parallel.h"
-#include "bakers/math/quadrature.h"
 #include "bakers/math/transcendental.h"
 
 namespace skybake {
@@ -49,10 +48,7 @@ void integrate_layers(const SkyMedium& medium, const ViewRay& view, FanRay& ray)
     for (const RayCell& cell : view.cells) {
         const double width = cell.to.distance_km - cell.from.distance_km;
         for (const double node : cell_rule::kNodes) {
-            altitudes.push_back(std::clamp(altitude_along_km(shell, view.altitude_km, view.s_km,
-                                                             cell.from.distance_km + width * node),
-                                           0.0,
-                                           shell.thickness_km));  // rounding at the ends of the ray
+            altitudes.push_back(altitude_on(shell, view, cell.from.distance_km + width * node));
         }
     }
     std::vector<std::vector<Coefficients>> of_layer;
@@ -158,44 +154,29 @@ RayFan make_fan(const SkyMedium& medium, const std::vector<double>& levels_km, i
     const double altitude = levels_km[static_cast<std::size_t>(level)];
     const double r = shell.ground_radius_km + altitude;
     const double horizon = -horizon_distance_km(shell, altitude) / r;
+    RaySphere sphere = trace_all_directions(
+        medium.air, levels_km, altitude,
+        solver_parts(shell, horizon, altitude / shell.thickness_km, zenith_nodes));
     RayFan fan;
     fan.altitude_km = altitude;
-    std::vector<ViewRay> views;
-    Spectrum whole{};  // scattering over all directions
-    for (const ZenithPart& part :
-         solver_parts(shell, horizon, altitude / shell.thickness_km, zenith_nodes)) {
-        const QuadratureRule rule = gauss_legendre(part.nodes);
-        const double range = part.to - part.from;
-        for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
-            // mu = from + range x^2 puts nodes where paths grow long.
-            const double x = rule.nodes[i];
-            FanRay ray;
-            ray.mu = part.from + range * x * x;
-            ray.sine = std::sqrt((1 - ray.mu) * (1 + ray.mu));
-            ray.weight = rule.weights[i] * x * std::fabs(range);
-            views.push_back(
-                trace_view_ray(medium.air, levels_km, altitude, r * ray.mu, part.below_horizon));
-            ray.hits_ground = part.below_horizon;
-            ray.length_km = views.back().length_km;
-            for (const RayCell& cell : views.back().cells) {
-                whole += ray.weight * (cell.near_weight + cell.far_weight);
-            }
-            fan.rays.push_back(std::move(ray));
-        }
-    }
-    for (std::size_t i = 0; i < fan.rays.size(); ++i) {
-        FanRay& ray = fan.rays[i];
-        const Spectrum whole_per_ray = whole / (ray.weight * static_cast<double>(fan.rays.size()));
-        refine_view_ray(medium.air, whole_per_ray, tolerance, views[i]);
-        if (step_km > 0) refine_for_twilight(medium.air, whole_per_ray, step_km, views[i]);
+    for (RaySphere::Direction& direction : sphere.directions) {
+        ViewRay& view = direction.ray;
+        const Spectrum whole_per_ray = sphere.whole_per_ray(direction);
+        refine_view_ray(medium.air, whole_per_ray, tolerance, view);
+        if (step_km > 0) refine_for_twilight(medium.air, whole_per_ray, step_km, view);
+        FanRay ray;
+        ray.mu = direction.mu;
+        ray.sine = std::sqrt((1 - ray.mu) * (1 + ray.mu));
+        ray.weight = direction.weight;
+        ray.hits_ground = view.hits_ground;
+        ray.length_km = view.length_km;
         ray.points.push_back(point_at(levels_km, 0, altitude, level));
-        for (const RayCell& cell : views[i].cells) {
-            const double at = std::clamp(
-                altitude_along_km(shell, altitude, views[i].s_km, cell.to.distance_km), 0.0,
-                shell.thickness_km);  // rounding
+        for (const RayCell& cell : view.cells) {
+            const double at = altitude_on(shell, view, cell.to.distance_km);
             ray.points.push_back(point_at(levels_km, cell.to.distance_km, at, cell.to.level));
         }
-        integrate_layers(medium, views[i], ray);
+        integrate_layers(medium, view, ray);
+        fan.rays.push_back(std::move(ray));
     }
     return fan;
 }
