@@ -43,6 +43,7 @@ FolderBake folder_bake(const Invocation& invocation, const BakeSelection& select
     bake.certification = invocation[options::certify];
     bake.force = invocation[options::force];
     bake.prune = invocation[options::prune];
+    bake.depfile = invocation[options::depfile];
     bake.frame_by_frame = true;
     bake.memory_limit_mib = invocation.given(options::max_memory);
     return bake;
@@ -81,11 +82,20 @@ std::string paths_text(const std::vector<fs::path>& files) {
     return text;
 }
 
-// Returns E0303 if the dependencies would replace a file of another kind.
-std::vector<Diagnostic> check_depfile(const Invocation& invocation) {
+// Returns E0303 if the dependencies would replace a file of another kind, E0301 if their folder is missing, and
+// E0002 if no rule can name the outputs.
+std::vector<Diagnostic> check_depfile(const FolderBake& bake) {
     std::error_code ignored;
-    const fs::path path = invocation[options::depfile];
-    if (invocation[options::force] || !fs::is_regular_file(path, ignored)) return {};
+    const fs::path& path = bake.depfile;
+    if (path.empty()) return {};
+    if (bake.folder.native().find('\n') != std::string::npos) {
+        return {usage_error("--depfile: no rule can name a folder whose name has two lines")};
+    }
+    if (!fs::is_directory(fs::absolute(path, ignored).parent_path(), ignored)) {
+        return {file_error("E0301", path.string(),
+                           fmt::format("cannot write `{}`: its folder is missing", path.string()))};
+    }
+    if (bake.force || !fs::is_regular_file(path, ignored)) return {};
     const auto found = read_file(path);
     if (!found.value) return found.diagnostics;
     if (is_depfile(*found.value)) return {};
@@ -114,7 +124,7 @@ ExitCode run_bake(const Invocation& invocation, Console& console) {
     }
     if (invocation[options::dry_run]) return dry_run(bake, console);
 
-    const auto depfile = check_depfile(invocation);
+    const auto depfile = check_depfile(bake);
     if (!depfile.empty()) return console.report(depfile);
     const auto url = cache_url(invocation);
     if (!url.value) return console.report(url.diagnostics);

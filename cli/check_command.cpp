@@ -60,10 +60,12 @@ ExitCode run_check(const Invocation& invocation, Console& console) {
     const auto unreadable = check_cloud_files(outcome.value->parameters);
     problems.insert(problems.end(), unreadable.begin(), unreadable.end());
     if (problems.empty()) problems = check_air(*outcome.value);
-    if (!problems.empty()) return console.report_results(problems);
+    const ExitCode found = console.report_results(problems);
+    if (found != ExitCode::done) return found;
     const Parameters& parameters = outcome.value->parameters;
     if (console.json()) {
-        console.result(checked_event(name, parameters, outcome.diagnostics));
+        problems.insert(problems.begin(), outcome.diagnostics.begin(), outcome.diagnostics.end());
+        console.result(checked_event(name, parameters, problems));
     }
     console.note(fmt::format("{}: no errors; {}\n", name, contents(parameters)));
     return code;

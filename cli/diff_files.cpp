@@ -14,6 +14,7 @@
 #include "bakers/io/formats/exr/exr_heads.h"
 #include "bakers/io/formats/format.h"
 #include "bakers/io/volumes/grid_files.h"
+#include "bakers/preview/load_sweep.h"
 #include "cli/command.h"
 
 namespace skybake::cli {
@@ -45,10 +46,10 @@ void compare_opened(Outcome<Image> first, Outcome<Image> second, const Compared&
     add(name, skybake::compare_images(compared(*first.value), compared(*second.value)), comparison);
 }
 
-void compare_images(const fs::path& first, const fs::path& second, Comparison& comparison) {
+void compare_images(const fs::path& first, const fs::path& second, const std::string& name,
+                    Comparison& comparison) {
     const auto parts = read_exr_heads(first);
     const auto others = read_exr_heads(second);
-    const std::string name = second.filename().string();
     const std::size_t count = parts.value ? parts.value->size() : 1;
     if (others.value && parts.value && others.value->size() != count) {
         return add_layout(name, fmt::format("{} parts against {}", count, others.value->size()),
@@ -67,8 +68,8 @@ void compare_images(const fs::path& first, const fs::path& second, Comparison& c
 bool is_radiance(const fs::path& path) { return path.extension() == ".hdr"; }
 
 // Compares the levels that both files have.
-void compare_levels(const ListedFile& first, const ListedFile& second, Comparison& comparison) {
-    const std::string name = second.path.filename().string();
+void compare_levels(const ListedFile& first, const ListedFile& second, const std::string& name,
+                    Comparison& comparison) {
     if (first.file.levels != second.file.levels) {
         return add_layout(
             name, fmt::format("{} levels against {}", first.file.levels, second.file.levels),
@@ -85,13 +86,13 @@ void compare_levels(const ListedFile& first, const ListedFile& second, Compariso
 
 // Compares files by their bytes. If these differ, those with grids, Radiance pictures and files that their
 // manifests list are compared by their values.
-void compare_bytes(const fs::path& first, const fs::path& second, Comparison& comparison) {
+void compare_bytes(const fs::path& first, const fs::path& second, const std::string& name,
+                   Comparison& comparison) {
     const auto a = fingerprint(first);
     const auto b = fingerprint(second);
     append(a.diagnostics, comparison.diagnostics);
     append(b.diagnostics, comparison.diagnostics);
     if (!a.value || !b.value) return;
-    const std::string name = second.filename().string();
     if (a.value->bytes == b.value->bytes && a.value->xxh3 == b.value->xxh3) {
         return add_layout(name, "", comparison);
     }
@@ -105,7 +106,7 @@ void compare_bytes(const fs::path& first, const fs::path& second, Comparison& co
     }
     const auto one = listed_file(first);
     const auto other = one ? listed_file(second) : std::nullopt;
-    if (other) return compare_levels(*one, *other, comparison);
+    if (other) return compare_levels(*one, *other, name, comparison);
     add_layout(name,
                a.value->bytes != b.value->bytes
                    ? fmt::format("{} bytes against {}", a.value->bytes, b.value->bytes)
@@ -124,21 +125,25 @@ bool is_other_volume(const fs::path& path) {
            find_format(path.extension().string().substr(1)) != nullptr;
 }
 
-void compare_files(const fs::path& first, const fs::path& second, Comparison& comparison) {
+void compare_files(const fs::path& first, const fs::path& second, const std::string& name,
+                   Comparison& comparison) {
     if (is_other_volume(first) && is_other_volume(second)) {
-        compare_bytes(first, second, comparison);
+        compare_bytes(first, second, name, comparison);
     } else {
-        compare_images(first, second, comparison);
+        compare_images(first, second, name, comparison);
     }
 }
 
+// Returns the names of a folder's files; those of a sweep's variants begin with their folders.
 std::set<std::string> files_in(const fs::path& folder, std::vector<Diagnostic>& diagnostics) {
     std::set<std::string> names;
     std::error_code error;
-    for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+    const bool has_variants = is_sweep_folder(folder);
+    for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end;
          entry.increment(error)) {
+        if (!has_variants) entry.disable_recursion_pending();
         if (is_image(entry->path()) || is_other_volume(entry->path())) {
-            names.insert(entry->path().filename().string());
+            names.insert(entry->path().lexically_relative(folder).string());
         }
     }
     if (error || names.empty()) {
@@ -179,7 +184,7 @@ void compare_folders(const fs::path& first, const fs::path& second, Progress& pr
         } else if (in_second.count(name) == 0) {
             comparison.files.push_back({name, first.string(), {}});
         } else {
-            compare_files(first / name, second / name, comparison);
+            compare_files(first / name, second / name, name, comparison);
         }
     }
 }
@@ -196,7 +201,7 @@ Comparison compare(const fs::path& first, const fs::path& second, Progress& prog
     } else if (folders) {
         compare_folders(first, second, progress, comparison);
     } else {
-        compare_files(first, second, comparison);
+        compare_files(first, second, second.filename().string(), comparison);
     }
     return comparison;
 }

@@ -222,8 +222,10 @@ Outcome<BakeSelection> select_bakes(const Invocation& invocation) {
                                        config::did_you_mean(name, names)));
     }
     if (all.empty()) problems.push_back(nothing_to_bake());
-    const std::vector<Diagnostic> unreadable = check_cloud_files(recipe.value->parameters);
-    problems.insert(problems.end(), unreadable.begin(), unreadable.end());
+    for (Diagnostic& problem : check_cloud_files(recipe.value->parameters)) {
+        // What is read with a warning is warned of where it is baked.
+        if (problem.severity == Severity::error) problems.push_back(std::move(problem));
+    }
     outcome.diagnostics.insert(outcome.diagnostics.end(), problems.begin(), problems.end());
     if (!problems.empty()) return outcome;
 

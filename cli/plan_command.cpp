@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -14,6 +13,7 @@
 #include <string_view>
 #include <system_error>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "bakers/assets/description/certificate_warnings.h"
@@ -29,6 +29,7 @@
 #include "cli/progress.h"
 #include "cli/report.h"
 #include "cli/table_printer.h"
+#include "config/text/units.h"
 
 namespace skybake::cli {
 
@@ -36,13 +37,11 @@ namespace options {
 namespace {
 
 Outcome<double> read_share(const std::string& text, std::string_view option) {
-    double number = 0;
-    const char* const end = text.data() + text.size();
-    const auto [after, error] = std::from_chars(text.data(), end, number, std::chars_format::fixed);
-    const std::string_view unit(after, static_cast<std::size_t>(end - after));
-    const double share = unit.empty() ? number : number / 100;
-    const bool has_unit = unit.empty() || unit == "%" || unit == " %";
-    if (error == std::errc{} && has_unit && share > 0 && share <= 1) return {share, {}};
+    const auto read = config::parse_quantity(text);
+    const auto* share = std::get_if<config::Quantity>(&read);
+    const bool is_share = share != nullptr && (share->dimension == config::Dimension::number ||
+                                               share->dimension == config::Dimension::fraction);
+    if (is_share && share->value > 0 && share->value <= 1) return {share->value, {}};
     return bad_value(std::string(option), text, "it takes a share up to 1, such as 2% or 0.02");
 }
 

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "bakers/assets/registry/registry.h"
@@ -30,6 +32,39 @@ std::vector<std::string> output_files(const FolderBake& bake) {
     }
     names.emplace_back(manifest_name);
     return names;
+}
+
+// The file's folder, without links, and its name: a file that is written there replaces it.
+fs::path place_of(const fs::path& file) {
+    std::error_code ignored;
+    const fs::path absolute = fs::absolute(file, ignored);
+    return fs::weakly_canonical(absolute.parent_path(), ignored) / absolute.filename();
+}
+
+// Returns E0302 if the files to be written would replace each other or what they are made from.
+std::vector<Diagnostic> check_places(const FolderBake& bake) {
+    constexpr const char* kAdvice = "choose another folder with -o, or another name";
+    const fs::path folder = place_of(bake.folder / manifest_name).parent_path();
+    std::set<fs::path> outputs;
+    for (const std::string& name : output_files(bake)) outputs.insert(folder / name);
+    if (!bake.depfile.empty() && !outputs.insert(place_of(bake.depfile)).second) {
+        const std::string name = bake.depfile.string();
+        return {file_error("E0302", name,
+                           fmt::format("`{}` is an output: dependencies would replace it", name),
+                           kAdvice)};
+    }
+    for (const fs::path& input : bake.recipe->inputs) {
+        std::error_code ignored;
+        if (!outputs.contains(place_of(input)) &&
+            !outputs.contains(fs::weakly_canonical(input, ignored))) {
+            continue;
+        }
+        return {file_error(
+            "E0302", input.string(),
+            fmt::format("`{}` would be replaced, and the recipe is made from it", input.string()),
+            kAdvice)};
+    }
+    return {};
 }
 
 // Returns why the files of an entry differ from those that it describes.
@@ -208,6 +243,7 @@ double FolderPlan::seconds() const {
 }
 
 Outcome<FolderPlan> plan_folder(const FolderBake& bake, bool to_be_written) {
+    if (auto faults = check_places(bake); !faults.empty()) return {{}, std::move(faults)};
     auto folder = inspect_output_folder(bake.folder, output_files(bake), bake.force, false);
     if (!folder.value) return {{}, std::move(folder.diagnostics)};
     FolderPlan plan;

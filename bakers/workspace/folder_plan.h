@@ -57,6 +57,7 @@ struct FolderBake {
     int threads = 0;  // 0: as many as the machine has
     Certification certification = Certification::quick;
     bool force = false;                           // overwrite files that skybake did not write
+    std::filesystem::path depfile = {};           // gets rules for Make later; empty: none
     bool prune = false;                           // remove what the recipe no longer asks for
     bool frame_by_frame = false;                  // give each frame its name when it is complete
     std::optional<double> memory_limit_mib = {};  // stop before starting if more may be needed
@@ -118,7 +119,8 @@ std::int64_t bytes_to_keep(std::int64_t most, std::optional<double> limit_mib, d
 
 // Makes a plan without changing anything. A file is up to date if it holds the bytes that the
 // manifest says, whatever its time stamp. E0002 if more than memory_limit_mib would be needed;
-// E0300 for inputs; E0303, and E0302 if it is to be written, as for inspect_output_folder.
+// E0300 for inputs; E0303, and E0302 if it is to be written, as for inspect_output_folder. E0302 if an output
+// would replace another one or a file that the recipe is made from, whatever `force` says.
 Outcome<FolderPlan> plan_folder(const FolderBake& bake, bool to_be_written = true);
 
 }  // namespace skybake

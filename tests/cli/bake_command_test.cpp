@@ -146,13 +146,21 @@ TEST_F(BakeCommand, WritesADepfile) {
     EXPECT_EQ(text.rfind(out_ + "/transmittance.exr ", 0), 0U) << text;
     EXPECT_TRUE(contains(text, "\n  " + recipe_)) << text;
     EXPECT_EQ(bake({"--depfile", depfile}).code, 0) << "over its own";
+    fs::remove_all(out_);
     expect_said(bake({"--depfile", (folder_ / "none/sky.d").string()}), 3, {"E0301"});
+    EXPECT_FALSE(fs::exists(out_)) << "found before anything is made";
+    EXPECT_EQ(bake({"--depfile", depfile}).code, 0);
     const std::string recipe = read_bytes(recipe_);
     for (const std::string& other : {recipe_, out_ + "/manifest.json"}) {
         const std::string before = read_bytes(other);
         expect_said(bake({"--depfile", other}), 3, {"E0303", "holds no dependencies"});
+        expect_said(bake({"--depfile", other, "--force"}), 3, {"E0302", "replace"});
         EXPECT_EQ(read_bytes(other), before);
     }
+    expect_said(run_program({"bake", recipe_, "-o", (folder_ / "two\nlines").string(), "--depfile",
+                             depfile}),
+                2, {"--depfile"});
+    EXPECT_FALSE(fs::exists(folder_ / "two\nlines"));
 }
 
 TEST_F(BakeCommand, PrintsPathsOnStdoutAndTheTableOnStderr) {

@@ -191,6 +191,29 @@ TEST(DiffCommand, ReportsFilesWithoutCounterpart) {
     EXPECT_TRUE(contains(result.out, "second.exr: only in"));
 }
 
+TEST(DiffCommand, ComparesTheVariantsOfSweeps) {
+    const TemporaryFolder folder;
+    const std::string recipe = (folder / "recipe.toml").string();
+    testing::write_bytes(
+        recipe,
+        "[noise.n.channels.Y]\ntype = \"perlin\"\n[bake.n]\nasset = "
+        "\"noise_volume\"\nnoise = \"n\"\nsize = [8, 8, 8]\nformats = [\"bin\"]\n");
+    const std::string first = (folder / "first").string();
+    const std::string second = (folder / "second").string();
+    ASSERT_EQ(run_words({"sweep", recipe, "--vary", "noise.n.seed=1,2", "-o", first}).code, 0);
+    std::filesystem::copy(first, second, std::filesystem::copy_options::recursive);
+    EXPECT_EQ(run_words({"diff", first, second}).code, 0);
+    testing::write_bytes(second + "/0001_seed=2/n.bin",
+                         testing::read_bytes(second + "/0000_seed=1/n.bin"));
+    const Result changed = run_words({"diff", first, second});
+    EXPECT_EQ(changed.code, 1);
+    expect_has(changed.out, {"0000_seed=1/n.bin: equal", "0001_seed=2/n.bin: differs"});
+    std::filesystem::remove_all(second + "/0001_seed=2");
+    const Result missing = run_words({"diff", first, second});
+    EXPECT_EQ(missing.code, 1);
+    expect_has(missing.out, {"0001_seed=2/n.bin: only in"});
+}
+
 TEST(DiffCommand, RefusesWhatCannotBeCompared) {
     const Pair pair;
     EXPECT_EQ(

@@ -240,6 +240,51 @@ TEST_F(VolumeBake, AVolumeOfAnotherProgramIsComparedAndPreviewed) {
     EXPECT_TRUE(contains(made.out, "cloud")) << made.out;
 }
 
+// The recipe of a cloud of the voxels that a raw file holds.
+std::string cloud_of_file(const std::string& file, const std::string& asset) {
+    return "[volumes.v]\nfile = \"" + file +
+           "\"\nformat = \"raw\"\nsize = [4, 4, 4]\nvoxel_size = [\"10 m\", \"10 m\", \"10 m\"]\n"
+           "[clouds.c]\nvolume = \"v\"\n[bake." +
+           asset +
+           "]\nasset = \"cloud_volume\"\ncloud = \"c\"\nsize = [4, 4, 4]\nformats = [\"bin\"]\n"
+           "pixel_type = \"float\"\n";
+}
+
+std::string bytes_of_floats(std::vector<float> values) {
+    return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float)};
+}
+
+TEST_F(VolumeBake, AFileWithValuesBelow0IsBakedWithAWarning) {
+    std::vector<float> values(64, 0.5F);
+    values.back() = -1e-6F;
+    write_bytes(folder_ / "v.raw", bytes_of_floats(values));
+    write_bytes(recipe_, cloud_of_file("v.raw", "cloud"));
+    expect_said(run_words({"check", recipe_}), 0, {"W0226", "no errors"});
+    expect_has(run_words({"check", recipe_, "--json"}).out, {"\"checked\"", "W0226"});
+    const Result result = bake();
+    expect_said(result, 0, {"W0226", "they count as 0"});
+    EXPECT_EQ(result.error.find("W0226"), result.error.rfind("W0226")) << result.error;
+    values.back() = 0;
+    EXPECT_EQ(read_bytes(file("cloud.bin")), bytes_of_floats(values));
+}
+
+TEST_F(VolumeBake, NoOutputReplacesWhatItIsMadeFrom) {
+    write_bytes(recipe_, cloud_of_file("v.raw", "cloud"));
+    write_bytes(folder_ / "v.raw", bytes_of_floats(std::vector<float>(64, 0.5F)));
+    ASSERT_EQ(bake().code, 0);
+    fs::create_symlink(file("cloud.bin"), folder_ / "link.raw");
+    const std::string before = read_bytes(file("cloud.bin"));
+    for (const char* input : {"out/cloud.bin", "link.raw"}) {
+        write_bytes(recipe_, cloud_of_file(input, "cloud"));
+        for (const Names& more : {Names{}, {"--force"}, {"--dry-run"}}) {
+            expect_said(bake(more), 3, {"E0302", "the recipe is made from it"});
+        }
+        EXPECT_EQ(read_bytes(file("cloud.bin")), before);
+    }
+    write_bytes(recipe_, cloud_of_file("out/cloud.bin", "other"));
+    EXPECT_EQ(bake().code, 0);
+}
+
 TEST_F(VolumeBake, RefusesToOverwriteAnyOfItsFiles) {
     fs::create_directory(out_);
     write_bytes(file("wisps.mip1.bin"), "mine");

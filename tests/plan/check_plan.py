@@ -108,6 +108,9 @@ def main():
         small = plan("scene.toml", "--max-size", "50KiB", "--csv")
         row = next(row for row in csv.DictReader(small.stdout.splitlines()) if row["chosen"] == "true")
         assert float(row["bytes"]) <= 50 * 1024, row
+        shares = [json.loads(plan("scene.toml", "--max-sky-error", share, "--json").stdout)["subjects"][0]["limits"]["error"]
+                  for share in ("95.7%", "0.957")]
+        assert shares == [0.957, 0.957], shares
         none = plan("scene.toml", "--max-sky-error", "0.0001%", "--write", "none.toml")
         assert none.returncode == 4 and "E0408" in none.stderr, none.stderr
         assert not (folder / "none.toml").exists()
@@ -153,7 +156,7 @@ def main():
         assert plan("scene.toml").returncode == 3
         assert (out / "plan.csv").read_text() == "mine"
         for wrong in (["--max-sky-error", "much"], ["--max-fetches", "0"], ["--max-size", "1 lightyear"], ["--max-size", "1"],
-                      ["--max-sky-error", "2"],
+                      ["--max-sky-error", "2"], ["--max-sky-error", "0.1 km"],
                       ["--json", "--csv"]):
             assert plan("scene.toml", *wrong).returncode == 2, wrong
         (folder / "cells.toml").write_text("format = 1\n")

@@ -29,8 +29,8 @@ struct EncodedPicture {
 // The module's functions, none of which throws.
 struct ImageCodec {
     // Reads the channel of that name, or the first channel if the name is empty, and those behind it
-    // up to `count`, interleaved. Integers are divided by their largest value; nothing else is
-    // changed.
+    // up to `count`, interleaved; a count of 0 reads only the header. Integers are divided by their largest value;
+    // nothing else is changed.
     MapPixels (*read)(const std::filesystem::path& path, const std::string& channel, int count);
 
     // Makes a PNG with 8 bits per channel, sRGB, from interleaved R G B with row 0 at the top. It

@@ -113,6 +113,13 @@ Outcome<MapImage> read_map_image(const config::CloudMap& map) {
     return {finished(std::move(pixels)), {}};
 }
 
+double map_pixels(const config::CloudMap& map) {
+    const ImageCodec* codec = map.file.empty() ? nullptr : image_codec().codec;
+    if (codec == nullptr) return 0;
+    const MapPixels pixels = codec->read(map.path, "", 0);
+    return double{1} * pixels.width * pixels.height;
+}
+
 const LoadedCodec<ImageCodec>& image_codec() {
     static const auto loaded = load_codec<ImageCodec>(image_module_name, image_codec_symbol);
     return loaded;

@@ -26,6 +26,9 @@ inline constexpr int largest_map_edge = 16384;
 // is not in [0, 1]; the message says which.
 config::Outcome<MapImage> read_map_image(const config::CloudMap& map);
 
+// Returns how many pixels the picture of a map has, by its header; 0 if there is none or it cannot be read.
+double map_pixels(const config::CloudMap& map);
+
 // The codec of the module skybake_images.so, which is loaded once.
 const LoadedCodec<ImageCodec>& image_codec();
 

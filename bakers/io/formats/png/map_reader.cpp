@@ -242,7 +242,7 @@ MapPixels read_picture(const std::filesystem::path& path, const std::string& cha
     const auto& names = pixels.channel_names;
     const auto found =
         channel.empty() ? names.begin() : std::find(names.begin(), names.end(), channel);
-    if (names.end() - found < count) return pixels;
+    if (count == 0 || names.end() - found < count) return pixels;
     const auto first = static_cast<int>(found - names.begin());
     pixels.values = read_channels(*input, picture, {first, first + count});
     return pixels;
