@@ -7,6 +7,8 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <iterator>
+#include <set>
 #include <utility>
 #include <variant>
 
@@ -205,6 +207,17 @@ Outcome<Recipe> recipe_of(const Invocation& invocation, std::span<const std::str
     return config::load_recipe(file, settings);
 }
 
+namespace {
+
+// Whether an asset is a frame or a packet of [bake.NAME]: NAME_0001, NAME_2.
+bool is_part_of(const std::string& name, std::string_view asset) {
+    const std::string begin = name + "_";
+    return asset.size() > begin.size() && asset.starts_with(begin) &&
+           asset.find_first_not_of("0123456789", begin.size()) == std::string_view::npos;
+}
+
+}  // namespace
+
 Outcome<BakeSelection> select_bakes(const Invocation& invocation) {
     auto recipe = recipe_of(invocation);
     Outcome<BakeSelection> outcome;
@@ -216,8 +229,14 @@ Outcome<BakeSelection> select_bakes(const Invocation& invocation) {
     std::vector<std::string_view> names;
     for (const Bake& bake : all) names.push_back(bake.name);
     const std::vector<std::string> only = invocation[options::only];
+    std::set<std::string_view> wanted;
     for (const std::string& name : only) {
-        if (std::ranges::find(names, name) != names.end()) continue;
+        const bool is_whole = std::ranges::find(names, name) != names.end();
+        const std::size_t before = wanted.size();
+        std::ranges::copy_if(names, std::inserter(wanted, wanted.end()), [&](std::string_view one) {
+            return is_whole ? one == name : is_part_of(name, one);
+        });
+        if (is_whole || wanted.size() > before) continue;
         problems.push_back(usage_error(fmt::format("--only: the recipe has no [bake.{}]", name),
                                        config::did_you_mean(name, names)));
     }
@@ -231,8 +250,7 @@ Outcome<BakeSelection> select_bakes(const Invocation& invocation) {
 
     BakeSelection selection;
     for (const Bake& bake : all) {
-        const bool wanted = only.empty() || std::ranges::find(only, bake.name) != only.end();
-        if (wanted) selection.bakes.push_back(bake);
+        if (only.empty() || wanted.contains(bake.name)) selection.bakes.push_back(bake);
     }
     selection.threads = invocation[options::jobs];
     selection.recipe = std::move(*recipe.value);

@@ -154,7 +154,7 @@ std::vector<Row<S>> with_file_fields(const Row<S> (&own)[count], const FileWords
          "left texel for the first",
          Default{words.flip}, Role::files},
         {"mips", Kind::levels, &AssetFiles::mips, words.mips, Range{1, 15}, Default{"1"},
-         Hint{"\"all\" goes down to one voxel"}, Role::files},
+         Hint{"\"all\" goes down to one voxel, or as far as cells and faces halve"}, Role::files},
         {"compression", Kind::choice, &AssetFiles::compression,
          "compression of the EXR file, always lossless", compression_choices, Default{R"("zip")"},
          Role::files},

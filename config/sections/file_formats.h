@@ -99,7 +99,8 @@ inline constexpr std::array file_formats = {
                 .only_volumes = true},
     FormatFacts{.format = FileFormat::npy,
                 .name = "npy",
-                .description = "NumPy's array, of shape z, y, x, channel; any type of numbers",
+                .description = "NumPy's array, of shape z, y, x, channel (y, x, channel of "
+                               "tables); any type of numbers",
                 .pixel_types = number_types},
     FormatFacts{.format = FileFormat::tga,
                 .name = "tga",

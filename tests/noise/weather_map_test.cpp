@@ -258,6 +258,16 @@ TEST(WeatherMap, StreaksAreThoseOfTheReference) {
     EXPECT_NE(map.levels.front().content_hash, turned.levels.front().content_hash);
 }
 
+// Fine octaves change the faster the coarser the coarsest one of all channels is.
+TEST(WeatherMap, AMovingNoiseIsThatOfTheReference) {
+    config::Noise noise = two_clouds();
+    noise.period = 5;
+    noise.time = 2;
+    noise.time_cells = 2;
+    const WeatherMapBake bake = bake_of({40, 24}, {1, 1, 1}, {0, 0, 0}, PixelType::float32);
+    EXPECT_LT(baked(noise, bake).certificate.texel.max, 1e-5);
+}
+
 TEST(WeatherMap, OneTexelIsCoveredOrNot) {
     for (const double covered : {0.0, 0.4, 0.6, 1.0}) {
         const auto map = texels_of(test::picture_of({test::perlin({{1, 1, 1}})}),

@@ -217,7 +217,7 @@ double CloudPaths::light_from(const glm::dvec3& direction) const {
 }
 
 void CloudPaths::walk_on(Particle particle, std::vector<Particle>& waiting, RandomStream& random,
-                         TracedRadiance& sum) const {
+                         TracedRadiance& sum, std::int64_t most_collisions) const {
     do {
         if (!fly(particle.place, particle.direction, random)) {
             const double light = light_from(particle.direction);
@@ -228,16 +228,16 @@ void CloudPaths::walk_on(Particle particle, std::vector<Particle>& waiting, Rand
         ++sum.collisions;
         particle.weight *= scattering_.albedo;
         if (sources_.sun > 0) add_sunlight(particle, random, sum);
-    } while (choose_directions(particle, waiting, random));
+    } while (sum.collisions < most_collisions && choose_directions(particle, waiting, random));
 }
 
 void CloudPaths::walk(const glm::dvec3& place, const glm::dvec3& direction, RandomStream& random,
-                      TracedRadiance& sum) const {
+                      TracedRadiance& sum, std::int64_t most_collisions) const {
     std::vector<Particle> waiting = {{place, direction, 1, 0}};
-    while (!waiting.empty()) {
+    while (!waiting.empty() && sum.collisions < most_collisions) {
         const Particle next = waiting.back();
         waiting.pop_back();
-        walk_on(next, waiting, random, sum);
+        walk_on(next, waiting, random, sum, most_collisions);
     }
 }
 

@@ -17,6 +17,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "bakers/assets/cloud_light/cloud_layer.h"
@@ -62,11 +63,13 @@ class CloudPaths {
     // returns its density in 1/sr. Shares that are even in [0, 1) spread the directions evenly.
     double draw_direction(double share, RandomStream& random, glm::dvec3& direction) const;
 
-    // Adds one path.
+    // Adds one path. It is cut off where `sum` has so many collisions.
     void walk(const glm::dvec3& place, const glm::dvec3& direction, RandomStream& random,
-              TracedRadiance& sum) const;
+              TracedRadiance& sum, std::int64_t most_collisions = kUnlimited) const;
 
   private:
+    static constexpr std::int64_t kUnlimited = std::numeric_limits<std::int64_t>::max();
+
     struct Particle {
         glm::dvec3 place{};
         glm::dvec3 direction{};
@@ -75,7 +78,7 @@ class CloudPaths {
     };
     bool fly(glm::dvec3& place, const glm::dvec3& direction, RandomStream& random) const;
     void walk_on(Particle particle, std::vector<Particle>& waiting, RandomStream& random,
-                 TracedRadiance& sum) const;
+                 TracedRadiance& sum, std::int64_t most_collisions) const;
     void add_sunlight(const Particle& particle, RandomStream& random, TracedRadiance& sum) const;
     bool choose_directions(Particle& particle, std::vector<Particle>& waiting,
                            RandomStream& random) const;

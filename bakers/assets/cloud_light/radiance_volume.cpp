@@ -173,6 +173,24 @@ std::vector<std::vector<float>> radiance_values(const CloudLayer& layer, const P
     return values;
 }
 
+bool are_too_long(const CloudLayer& layer, const CloudLightBake& bake,
+                  const std::vector<glm::dvec3>& places, int threads) {
+    constexpr int kPaths = 4;  // from each place
+    const CloudPaths paths(layer, scattering_of(layer, bake), sources_of(bake, layer.sky.reference),
+                           threads);
+    const auto most = static_cast<std::int64_t>(places.size()) * kPaths * kMostCollisionsOfPath;
+    TracedRadiance light;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        RandomStream random(0, static_cast<std::uint32_t>(i), 0);
+        for (int path = 0; path < kPaths; ++path) {
+            glm::dvec3 look;
+            paths.draw_direction((path + 0.5) / kPaths, random, look);
+            paths.walk(places[i], look, random, light, most);
+        }
+    }
+    return light.collisions >= most;
+}
+
 VolumeReference radiance_reference(const CloudLayer& layer, const CloudLightBake& bake,
                                    int threads) {
     const LayerSources sources = sources_of(bake, layer.sky.reference);

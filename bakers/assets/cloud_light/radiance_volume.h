@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -48,6 +49,13 @@ std::vector<std::vector<float>> radiance_values(const CloudLayer& layer, const P
 inline constexpr int kReferencePaths = 2048;
 inline constexpr int kFewestReferencePaths = 128;
 inline constexpr int kReferenceCollisions = 1 << 17;
+
+// A certificate waits for paths of so many collisions on average, and no longer.
+inline constexpr std::int64_t kMostCollisionsOfPath = 8192;
+
+// Whether paths from these places, in voxels, have more collisions.
+bool are_too_long(const CloudLayer& layer, const CloudLightBake& bake,
+                  const std::vector<glm::dvec3>& places, int threads);
 
 // Returns the channels at a place from paths of light in all directions: with a the coefficients of all
 // light there, sunlight included that was not scattered, and tau the optical depth to the sun,

@@ -49,6 +49,11 @@ std::string advice_on_texels(const Baked& baked) {
     if (baked.kind == "multiple_scattering" || baked.kind == "irradiance") {
         return "ask for a smaller max_texel_error";
     }
+    if (config::is_block_coded(baked.pixel_type))
+        return "use pixel_type = \"half\": blocks hold few values";
+    if (baked.kind == "bruneton") return "use a larger size";
+    if (baked.kind == "cloud_distance") return "use a smaller cell";
+    if (baked.kind == "environment") return "use more samples, or layers whose edges fade out";
     return "a larger size does not help, since the texels themselves are off; give layers with "
            "hard edges a profile that fades out";
 }

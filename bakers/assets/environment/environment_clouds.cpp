@@ -252,35 +252,39 @@ SeenClouds CloudsAround::around(int part, double x, double y) const {
 }
 
 // A march ends where hardly any light is left (kOpaque), so the ray is marched in pieces, layer by
-// layer, and it finds a cloud's edges to a step, so that is done with four jitters. Where light is solved, rays
-// meet a share of the extinction.
+// layer, and it finds the faces of a layer to a step, so that is done with many jitters. Where light is solved,
+// rays meet a share of the extinction.
 double CloudsAround::transmittance(const glm::dvec3& direction) const {
-    constexpr int kJitters = 4;
-    constexpr int kPieces = RayBlock::kCount / kJitters;
-    std::vector<RayBlock> blocks(media_.size());
-    for (int ray = 0; ray < RayBlock::kCount; ++ray) {
-        const auto at = static_cast<std::size_t>(ray);
-        const float jitter = (static_cast<float>(ray / kPieces) + 0.5F) / kJitters;
-        finer_.set_ray(blocks, at, in_layer(direction), jitter, jitter);
-        for (RayBlock& block : blocks) {
-            const float first = block.first[at];
-            const float count = block.end[at] - first;
-            const auto edge = [&](int piece) {
-                return first + std::floor(count * static_cast<float>(piece) / kPieces);
-            };
-            block.end[at] = edge(ray % kPieces + 1);
-            block.first[at] = edge(ray % kPieces);
-        }
-    }
+    constexpr int kJitters = 64;
+    constexpr int kPieces = 64;
+    constexpr int kAtOnce = RayBlock::kCount / kPieces;
     double depth = 0;
-    for (std::size_t l = 0; l < blocks.size(); ++l) {
-        const double share = lights_[l] ? lights_[l]->share : 1;
-        RayResults results;
-        FetchCounts counts;
-        finer_.march_one(l, blocks[l], results, counts);
-        for (const float through : results.transmittance) {
-            if (through < std::numeric_limits<float>::min()) return 0;
-            depth -= logarithm(double{through}) / (kJitters * share);
+    for (int first_jitter = 0; first_jitter < kJitters; first_jitter += kAtOnce) {
+        std::vector<RayBlock> blocks(media_.size());
+        for (int ray = 0; ray < RayBlock::kCount; ++ray) {
+            const auto at = static_cast<std::size_t>(ray);
+            const float jitter =
+                (static_cast<float>(first_jitter + ray / kPieces) + 0.5F) / kJitters;
+            finer_.set_ray(blocks, at, in_layer(direction), jitter, jitter);
+            for (RayBlock& block : blocks) {
+                const float first = block.first[at];
+                const float count = block.end[at] - first;
+                const auto edge = [&](int piece) {
+                    return first + std::floor(count * static_cast<float>(piece) / kPieces);
+                };
+                block.end[at] = edge(ray % kPieces + 1);
+                block.first[at] = edge(ray % kPieces);
+            }
+        }
+        for (std::size_t l = 0; l < blocks.size(); ++l) {
+            const double share = lights_[l] ? lights_[l]->share : 1;
+            RayResults results;
+            FetchCounts counts;
+            finer_.march_one(l, blocks[l], results, counts);
+            for (const float through : results.transmittance) {
+                if (through < std::numeric_limits<float>::min()) return 0;
+                depth -= logarithm(double{through}) / (kJitters * share);
+            }
         }
     }
     return exponential(-depth);

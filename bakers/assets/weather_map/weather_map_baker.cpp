@@ -78,7 +78,7 @@ void draft(WeatherMapBake& asset, int most_texels) {
 }  // namespace
 
 Baker<WeatherMapBake> baker(BakerTag<WeatherMapBake>) {
-    return {.version = 5,
+    return {.version = 6,
             .bake = bake,
             .estimate = estimate,
             .places = places,

@@ -31,8 +31,6 @@ class WeatherModel {
         const std::array<double, 2> direction = wind_direction(bake.wind.radians);
         for (std::size_t c = 0; c < names_.size(); ++c) {
             streaks_.push_back({gives_amounts() ? bake.streaks[c] : 0, direction});
-            parts_.push_back(noise);
-            if (names_.size() > 1) parts_.back().channels = {noise.channels[c]};
         }
     }
 
@@ -82,7 +80,7 @@ class WeatherModel {
     bool gives_amounts() const { return bake_.content == WeatherContent::amounts; }
 
     double noise_at(std::size_t channel, double x, double y) const {
-        return noise::noise_reference(parts_[channel], {x, y, middle()}).front();
+        return noise::noise_reference(noise_, {x, y, middle()})[channel];
     }
 
     // The plane's place along z, as in a volume of one slice.
@@ -153,7 +151,6 @@ class WeatherModel {
     const Noise& noise_;
     const WeatherMapBake& bake_;
     std::vector<std::string> names_;
-    std::vector<Noise> parts_;  // the noise of each channel by itself
     std::vector<Streaks> streaks_;
     std::vector<CoverRamp> ramps_;
 };
