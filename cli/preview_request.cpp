@@ -203,10 +203,10 @@ Outcome<double> read_azimuth(const std::string& text) {
 
 Outcome<double> read_exposure(const std::string& text) {
     auto stops = value_of(text, Dimension::number);
-    constexpr double most_stops = 32;  // beyond this, every pixel is black or white
+    constexpr double most_stops = 64;  // beyond this, every pixel is black or white
     if (stops && !(*stops >= -most_stops && *stops <= most_stops)) stops.reset();
     return valid(stops, "--exposure", text, "exposure",
-                 "expected stops from -32 to 32, such as 4 or -1.5");
+                 "expected stops from -64 to 64, such as 4 or -1.5");
 }
 
 Outcome<double> read_altitude(const std::string& text) {
@@ -228,10 +228,10 @@ Outcome<CameraRequest> read_camera(const std::string& text) {
         const std::size_t equals = std::min(part.find('='), part.size());
         const std::string_view value = part.substr(std::min(equals + 1, part.size()));
         if (read_camera_part(part.substr(0, equals), value, *outcome.value)) continue;
-        outcome.diagnostics.push_back(
-            not_valid("--camera", part, "part of a camera",
-                      "expected some of position=X,Y,Z heading=A pitch=A fov=A, such as "
-                      "\"position=2km,3km,200m heading=63deg pitch=12deg fov=50deg\""));
+        outcome.diagnostics.push_back(not_valid(
+            "--camera", part, "part of a camera",
+            "expected some of position=X,Y,Z (Z of at least 0) heading=A pitch=A fov=A, such as "
+            "\"position=2km,3km,200m heading=63deg pitch=12deg fov=50deg\""));
     }
     return outcome;
 }

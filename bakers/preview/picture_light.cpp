@@ -33,6 +33,12 @@ Outcome<Recipe> recipe_of(const Recipe* air, const std::string& sections) {
 
 }  // namespace
 
+const Recipe* stated_air(const Recipe* recipe) {
+    if (recipe == nullptr || !(recipe->parameters.atmosphere.top_radius.meters > 0)) return nullptr;
+    const std::size_t wavelengths = recipe->parameters.wavelengths.size();
+    return wavelengths == 3 || wavelengths == 4 ? recipe : nullptr;
+}
+
 PictureLight::PictureLight(Intermediates* intermediates, AssetMemo files)
     : own_(BakeOptions().held_voxel_bytes),
       intermediates_(intermediates != nullptr ? *intermediates : own_),

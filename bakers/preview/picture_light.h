@@ -15,6 +15,9 @@
 
 namespace skybake {
 
+// Returns the recipe if it states an atmosphere of three or four wavelengths, which one table holds, else null.
+const Recipe* stated_air(const Recipe* recipe);
+
 class PictureLight {
   public:
     // The intermediates must outlive this object; null: it has its own. The sources and the cache of

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
 #include "bakers/math/transcendental.h"
@@ -44,6 +45,8 @@ FrameMarch::FrameMarch(const std::vector<SceneLayer>& layers, const SunDirection
         set_origin(frame.camera.position_m, marches_[l]);
         marches_[l].growth = static_cast<float>(frame.step_growth * rays_.pixel());
         farthest_m_ = std::max(farthest_m_, layers_[l].reach_m);
+        // The shadow of a tile that stands alone falls wherever the sun throws it.
+        if (!marches_[l].medium->repeats) farthest_m_ = std::numeric_limits<double>::infinity();
     }
 }
 

@@ -86,6 +86,17 @@ std::optional<Entry> take_preview(Table& keys) {
     return preview;
 }
 
+// A tile that the recipe itself shows alone is framed as a whole: the preset's camera stands within it.
+void leave_place_to_framing(const Table& root, Table& preview) {
+    const Table* own = find_table(root, "preview");
+    const Entry* single = own ? find_entry(*own, "single") : nullptr;
+    const auto* is_single = single ? std::get_if<bool>(&single->value.data) : nullptr;
+    Table* camera = table_at(preview, "camera");
+    if (is_single && *is_single && camera) {
+        std::erase_if(*camera, [](const Entry& entry) { return entry.key == "position"; });
+    }
+}
+
 bool lay_over_presets(const SectionPresets& kind, Table& root, std::deque<Source>& sources,
                       DiagnosticList& diagnostics) {
     bool complete = true;
@@ -107,7 +118,10 @@ bool lay_over_presets(const SectionPresets& kind, Table& root, std::deque<Source
     if (!sections) return true;
     Table base = {std::move(*sections)};
     const bool is_alone = preview && as_table(find_entry(root, kind.section)->value)->size() == 1;
-    if (is_alone) base.push_back(std::move(*preview));
+    if (is_alone) {
+        leave_place_to_framing(root, std::get<Table>(preview->value.data));
+        base.push_back(std::move(*preview));
+    }
     merge(base, root);
     root = std::move(base);
     return complete;

@@ -12,7 +12,7 @@
 namespace skybake::config {
 namespace {
 
-constexpr Range stops_range{-32, 32};  // beyond this, every pixel is black or white
+constexpr Range stops_range{-64, 64};  // beyond this, every pixel is black or white
 
 constexpr Choice tone_curve_choices[] = {
     {ToneCurve::film, "film", "a toe and a shoulder that keep hues; the brightest turns white"},

@@ -97,6 +97,22 @@ std::set<std::string> names_of(const std::vector<PreviewPicture>& pictures) {
     return names;
 }
 
+// A recipe that states an atmosphere and bakes no table of it.
+TEST(CloudPictures, HaveTheRecipesAir) {
+    const BakedCloud baked;
+    const config::Recipe mars =
+        test::recipe_of("preset = \"mars_rgb\"\n[bake.transmittance]\n", {});
+    CloudPreviewInput input = baked.input_under_earth();
+    const auto on_earth = cloud_pictures(input, 2);
+    input.air = &mars;
+    const auto on_mars = cloud_pictures(input, 2);
+    EXPECT_TRUE(test::says(on_mars[0], "the recipe's atmosphere"));
+    EXPECT_EQ(on_earth[0].name, on_mars[0].name);
+    // The sky at the upper left is blue on Earth, and red on Mars.
+    EXPECT_GT(on_earth[0].picture.rgb[2], on_earth[0].picture.rgb[0]);
+    EXPECT_LT(on_mars[0].picture.rgb[2], on_mars[0].picture.rgb[0]);
+}
+
 TEST(CloudPictures, ShowAVolumeWithItsGrid) {
     const BakedCloud baked;
     CloudPreviewInput input = baked.input_under_earth();

@@ -48,6 +48,21 @@ TEST(CompleteOptions, TakeWhatTheRecipeSays) {
     EXPECT_FALSE(options.camera->pitch_degrees);
 }
 
+// The camera of a cloud's preset stands within its tile, which is framed as a whole if it is shown alone.
+TEST(CompleteOptions, ASingleTileIsFramed) {
+    const auto position = [](const std::string& preview) {
+        return test::without_diagnostics(
+                   config::parse_recipe(
+                       "[clouds.c]\npreset = 'cumulus_humilis'\n[preview]\n" + preview,
+                       "test.toml"))
+            .preview->camera.position;
+    };
+    EXPECT_TRUE(position(""));
+    EXPECT_TRUE(position("single = false\n"));
+    EXPECT_FALSE(position("single = true\n"));
+    EXPECT_TRUE(position("single = true\ncamera.position = ['1 km', '2 km', '3 m']\n"));
+}
+
 TEST(CompleteOptions, OfTheCommandLineWin) {
     PreviewOptions given;
     given.picture_size = {64, 32};

@@ -78,6 +78,9 @@ TEST(LiveScene, HoldsACloudAndBakesTheLightThatIsMissing) {
     EXPECT_EQ(scene["textures"][2]["size"], json({16, 12, 8}));
     EXPECT_EQ(scene["textures"].back()["size"], json({kVariedTiles, kVariedTiles}));
     EXPECT_EQ(scene["light"], "the preset earth, whose tables were baked for this page");
+    const json on_mars = scene_of("preset = \"mars_rgb\"\n" + kCloud);
+    EXPECT_EQ(on_mars["light"], "the recipe's atmosphere, whose tables were baked for this page");
+    EXPECT_NE(on_mars["textures"][0], scene["textures"][0]);
 }
 
 // The matrix of the lookup makes equal channels of the daylight on level ground, of the same luminance.

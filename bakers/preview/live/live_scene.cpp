@@ -19,7 +19,6 @@
 #include "bakers/preview/runtime/runtime_library.h"
 #include "bakers/render/cloud_view.h"
 #include "bakers/render/tone_curve.h"
-#include "config/assets/asset_kind.h"
 #include "config/recipe/recipe.h"
 #include "config/text/mapped.h"
 
@@ -125,16 +124,10 @@ Json clouds_json(const std::vector<LiveCloud>& clouds, const FramedScene& scene,
 
 // --- Light ---------------------------------------------------------------------------------------
 
-bool read_air(const PreviewAssets& assets) {
-    return std::ranges::any_of(config::asset_kinds(), [&](const config::AssetKind* kind) {
-        return kind->facts.needs_atmosphere && assets.of_kind(kind->facts.name) != nullptr;
-    });
-}
-
-// Returns the two tables of the recipe's atmosphere, or of the preset `earth` if no asset reads its air.
+// Returns the two tables of the recipe's atmosphere, or of the preset `earth` if it has none.
 Outcome<PreviewAssets> bake_light(const PreviewAssets& assets, const PreviewOptions& options) {
     const auto light = options.light != nullptr ? options.light : std::make_shared<PictureLight>();
-    return light->tables(read_air(assets) ? &*assets.recipe : nullptr,
+    return light->tables(stated_air(&*assets.recipe),
                          {.threads = options.threads, .progress = options.progress});
 }
 
@@ -251,7 +244,7 @@ Outcome<std::string> live_scene(const PreviewAssets& assets, const PreviewOption
         if (!made.value) return {{}, std::move(made.diagnostics)};
         baked = std::move(*made.value);
         light = runtime_air(*baked.recipe, baked, options.threads);
-        light_name = read_air(assets)
+        light_name = stated_air(&*assets.recipe) != nullptr
                          ? "the recipe's atmosphere, whose tables were baked for this page"
                          : "the preset earth, whose tables were baked for this page";
     }

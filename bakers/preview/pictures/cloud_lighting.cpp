@@ -50,11 +50,19 @@ std::optional<Lighting> lighting_of(const CloudPreviewInput& input, int threads)
                                *input.multiple_scattering, "the recipe's atmosphere", threads);
         if (lighting) lighting->air = input.air;
     } else {
-        const auto earth = light->tables(nullptr, bake_options(input, threads));
-        if (!earth.value) return std::nullopt;
+        const BakeOptions options = bake_options(input, threads);
+        const Recipe* air = stated_air(input.air);
+        auto tables = light->tables(air, options);
+        if (!tables.value && air != nullptr && !options.cancelled()) {
+            air = nullptr;  // whose light cannot be solved for
+            tables = light->tables(nullptr, options);
+        }
+        if (!tables.value) return std::nullopt;
         lighting = lighting_of(
-            earth.value->recipe->parameters.atmosphere, *earth.value->of_kind("transmittance"),
-            *earth.value->of_kind("multiple_scattering"), "the preset earth", threads);
+            tables.value->recipe->parameters.atmosphere, *tables.value->of_kind("transmittance"),
+            *tables.value->of_kind("multiple_scattering"),
+            air != nullptr ? "the recipe's atmosphere" : "the preset earth", threads);
+        if (lighting) lighting->air = air;
     }
     if (lighting) lighting->light = light;
     return lighting;
@@ -158,7 +166,7 @@ std::string sun_name(const CloudPreviewInput& input, const SunDirection& sun) {
 // Azimuths grow from +x towards +y, which is to the left.
 std::string beside_view(const SunDirection& sun, const CloudCamera& camera) {
     const double turn = std::remainder(sun.azimuth_degrees - camera.azimuth_degrees, 360.0);
-    if (turn == 0) return "straight ahead";
+    if (std::fabs(turn) < 0.005) return "straight ahead";
     return fmt::format("{:.4g} degrees to the {} of the view", std::fabs(turn),
                        turn > 0 ? "left" : "right");
 }
