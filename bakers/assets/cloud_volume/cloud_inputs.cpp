@@ -161,6 +161,11 @@ Outcome<CloudInputs> cloud_inputs(const Parameters& parameters, const CloudVolum
     return outcome;
 }
 
+double bytes_to_read_maps(const Cloud& cloud) {
+    constexpr double kPerPixel = 13;  // measured
+    return kPerPixel * (map_pixels(cloud.coverage_map) + map_pixels(cloud.type_map));
+}
+
 std::vector<Diagnostic> check_cloud_files(const Parameters& parameters) {
     std::vector<Diagnostic> problems;
     for (const Cloud& cloud : parameters.clouds) {

@@ -25,6 +25,9 @@ Outcome<CloudInputs> cloud_inputs(const Parameters& parameters, const CloudVolum
 bool take_shape(const Parameters& parameters, const CloudVolumeBake& bake, CloudInputs& inputs,
                 Facts& details, const BakeOptions& options);
 
+// Returns the memory that reading the cloud's maps takes.
+double bytes_to_read_maps(const Cloud& cloud);
+
 // Reads every map and volume that the recipe names, even if no bake needs it. Returns E0300
 // and E0304 at the recipe's line.
 [[nodiscard]] std::vector<Diagnostic> check_cloud_files(const Parameters& parameters);

@@ -10,7 +10,6 @@
 #include "bakers/assets/cloud_volume/frame_change.h"
 #include "bakers/convection/convection.h"
 #include "bakers/field/baked.h"
-#include "bakers/io/formats/png/map_image.h"
 #include "config/sections/cloud.h"
 #include "config/sections/parameters.h"
 
@@ -94,7 +93,6 @@ void draft(CloudVolumeBake& asset, int most_voxels) {
 
 Estimate estimate_cloud_volume(const Parameters& parameters, const CloudVolumeBake& asset) {
     constexpr double kSecondsPerShape = 3e-9;  // profile, threshold, statistics of a voxel
-    constexpr double kBytesPerPixel = 13;      // of a map while it is read (measured)
     const Cloud& cloud = cloud_named(parameters, asset.cloud);
     const Noise* base = noise_of(parameters, cloud);
     constexpr double kOctavesOfVolume = 4;  // what reading and resampling take
@@ -103,8 +101,7 @@ Estimate estimate_cloud_volume(const Parameters& parameters, const CloudVolumeBa
     Estimate estimate =
         estimate_volume(asset, asset.size, config::cloud_channel_names(base, cloud.channels).size(),
                         octaves * kSecondsPerOctave + kSecondsPerShape);
-    estimate.memory_mib +=
-        kBytesPerPixel * (map_pixels(cloud.coverage_map) + map_pixels(cloud.type_map)) / kMebibyte;
+    estimate.memory_mib += bytes_to_read_maps(cloud) / kMebibyte;
     if (cloud.shape != config::CloudShape::convection) return estimate;
     const convection::Specification wanted = convection::specification_of(cloud);
     estimate.memory_mib += convection::bytes_to_grow(wanted) / kMebibyte;
