@@ -151,7 +151,7 @@ inline Uncertain unshaped(config::Noise noise, config::NoiseChannel channel,
     channel.smoothstep.reset();
     channel.clamp = config::NoiseChannel().clamp;
     noise.pack = config::NoisePacking::none;
-    noise.channels = {channel};
+    noise.channels.insert(noise.channels.begin(), channel);  // the others set how fast it changes
     const double value = noise::noise_reference(noise, place)[0];
     switch (channel.type) {
         case NoiseType::constant:
