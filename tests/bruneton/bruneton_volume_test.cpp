@@ -11,6 +11,7 @@
 #include "bakers/light/solver/solve_light.h"
 #include "config/assets/bruneton.h"
 #include "tests/io/files.h"
+#include "tests/io/open_formats.h"
 #include "tests/light/sky_media.h"
 #include "tests/path_tracer/path_media.h"
 #include "tests/support/outcomes.h"
@@ -121,7 +122,9 @@ TEST(BrunetonVolume, TakramsImageIsUpsideDownAndReadAsItWas) {
             for (std::int64_t i = 0; i < count; ++i) red.push_back(values[4 * i]);
             return true;
         };
-        EXPECT_EQ(exr_format().read(folder / "a.exr", testing::shape_of(laid_out), 0, visit).value,
+        EXPECT_EQ(testing::read_file_of(exr_format(), folder / "a.exr", testing::shape_of(laid_out),
+                                        0, visit)
+                      .value,
                   true);
         EXPECT_EQ(red, voxels_of(volume, 0));
         // The file's first row is the last one of the last slice in the lowest row of cells.

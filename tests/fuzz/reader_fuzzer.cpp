@@ -20,6 +20,7 @@
 #include "bakers/io/formats/nvdb/nvdb_source.h"
 #include "bakers/io/formats/texture.h"
 #include "tests/fuzz/properties.h"
+#include "tests/io/open_formats.h"
 #include "tests/support/volumes.h"
 #include "tests/support/zipped_nvdb.h"
 
@@ -169,7 +170,7 @@ void read_all(const Sample& sample, const std::string& path) {
     const Format& format = format_of(sample.format);
     if (sample.format == FileFormat::nvdb) read_as_volume(path);
     if (format.inspect != nullptr) {
-        const auto facts = format.inspect(path);
+        const auto facts = skybake::testing::inspect_file(format, path);
         if (!facts.value) require_located(facts.diagnostics, path);
     }
     std::array<int, 3> size = sample.shape.size;
@@ -183,7 +184,7 @@ void read_all(const Sample& sample, const std::string& path) {
             static_cast<void>(last);
             return true;
         };
-        const auto read = format.read(path, sample.shape, level, visit);
+        const auto read = skybake::testing::read_file_of(format, path, sample.shape, level, visit);
         if (!read.value) require_located(read.diagnostics, path);
         if (read.value == true) require(next == (VoxelBox{{}, size}.count()), "each voxel comes");
     }

@@ -12,6 +12,7 @@
 #include "bakers/io/formats/texture.h"
 #include "tests/io/files.h"
 #include "tests/io/format_checks.h"
+#include "tests/io/open_formats.h"
 
 namespace skybake {
 namespace {
@@ -131,7 +132,7 @@ TEST(ArrayTextures, CubesOfHalvesHaveTheHeaderBeforeDx10) {
     EXPECT_EQ(word(bytes, 4 + 108), 0xFE00U);
     EXPECT_EQ(bytes.size(), 128U + 6 * 8 * (8 * 8 + 4 * 4));
     EXPECT_EQ(testing::texels_of(FileFormat::dds, cube, 0, folder / "a.file").size(), 6U * 64 * 3);
-    const auto facts = format_of(FileFormat::dds).inspect(folder / "a.file");
+    const auto facts = testing::inspect_file(format_of(FileFormat::dds), folder / "a.file");
     ASSERT_TRUE(facts.value.has_value());
     EXPECT_EQ(facts.value->pixel_type, PixelType::half);
     EXPECT_EQ(facts.value->channels, 4U);
@@ -256,9 +257,9 @@ TEST(ArrayTextures, OfDdsHaveHeadersThatAgree) {
     std::string bytes = written(folder, FileFormat::dds, cube, 1);
     bytes[136] = 0;
     testing::write_bytes(folder / "a.file", bytes);
-    EXPECT_EQ(
-        testing::first_code(format_of(FileFormat::dds).inspect(folder / "a.file").diagnostics),
-        "E0304");
+    EXPECT_EQ(testing::first_code(
+                  testing::inspect_file(format_of(FileFormat::dds), folder / "a.file").diagnostics),
+              "E0304");
 }
 
 }  // namespace

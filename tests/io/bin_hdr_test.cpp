@@ -3,6 +3,7 @@
 #include "bakers/field/pixel_type.h"
 #include "bakers/io/formats/format.h"
 #include "tests/io/format_checks.h"
+#include "tests/io/open_formats.h"
 #include "tests/support/volumes.h"
 
 namespace skybake {
@@ -46,7 +47,7 @@ TEST(BinVolume, RefusesAnotherLength) {
     testing::write_bytes(folder / "a.bin", "1234567");
     const auto visit = [](std::int64_t, std::int64_t, const float*) { return true; };
     const FileShape shape = {{2, 2, 2}, 1, PixelType::unorm8, {}, 1};
-    const auto read = bin_format().read(folder / "a.bin", shape, 0, visit);
+    const auto read = testing::read_file_of(bin_format(), folder / "a.bin", shape, 0, visit);
     ASSERT_EQ(testing::first_code(read.diagnostics), "E0304");
     EXPECT_NE(read.diagnostics[0].message.find("7 bytes"), std::string::npos);
     EXPECT_EQ(testing::read_code(config::FileFormat::bin, folder / "absent", shape), "E0300");
@@ -116,7 +117,7 @@ TEST(Hdr, HasTheHeadAndTheTexelsOfTheFormat) {
                                 6,         char(200), 0,  char(135), 66, char(131), char(197), 120};
     EXPECT_EQ(bytes, "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 2\n" + texels +
                          "{}\n# skybake/asset 0000000002\n");
-    const auto facts = format_of(FileFormat::hdr).inspect(folder / "a.file");
+    const auto facts = testing::inspect_file(format_of(FileFormat::hdr), folder / "a.file");
     ASSERT_TRUE(facts.value.has_value());
     EXPECT_EQ(facts.value->metadata, "{}");
 }

@@ -1,3 +1,4 @@
+#include "tests/io/open_formats.h"
 #include "tests/support/exr_image.h"
 
 #include <array>
@@ -142,7 +143,7 @@ TEST(Exr, RefusesAPartOfAnImage) {
     const std::string bytes = bytes_of(sample(PixelType::float32, Compression::zip));
     const testing::TemporaryFolder folder;
     testing::write_bytes(folder / "part.exr", with_window(bytes, {"displayWindow"}, {99, 99}));
-    const auto cropped = exr_format().inspect(folder / "part.exr");
+    const auto cropped = testing::inspect_file(exr_format(), folder / "part.exr");
     ASSERT_EQ(testing::first_code(cropped.diagnostics), "E0304");
     EXPECT_NE(cropped.diagnostics[0].message.find("cropped"), std::string::npos);
 }

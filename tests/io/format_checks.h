@@ -13,6 +13,7 @@
 #include "bakers/field/pixel_type.h"
 #include "bakers/io/formats/format.h"
 #include "tests/io/files.h"
+#include "tests/io/open_formats.h"
 
 namespace skybake::testing {
 
@@ -49,7 +50,7 @@ std::string code_without_value(const config::Outcome<T>& outcome) {
 inline std::string read_code(config::FileFormat format, const std::filesystem::path& path,
                              const FileShape& shape) {
     const auto visit = [](std::int64_t, std::int64_t, const float*) { return true; };
-    return code_without_value(format_of(format).read(path, shape, 0, visit));
+    return code_without_value(read_file_of(format_of(format), path, shape, 0, visit));
 }
 
 // Returns the texels of a level of an asset's file, which come in their order.
@@ -62,7 +63,7 @@ inline std::vector<float> texels_of(config::FileFormat format, const Baked& bake
         found.insert(found.end(), values, values + static_cast<std::size_t>(count) * channels);
         return true;
     };
-    const auto read = format_of(format).read(path, shape_of(baked), level, visit);
+    const auto read = read_file_of(format_of(format), path, shape_of(baked), level, visit);
     EXPECT_EQ(read.value, true);
     for (const auto& diagnostic : read.diagnostics) ADD_FAILURE() << diagnostic.message;
     return found;
@@ -125,7 +126,7 @@ inline void expect_refuses_damage(config::FileFormat format, const Baked& volume
         }
         write_bytes(folder / "changed", bytes);
         // Each answer is right that is one: a value or a refusal.
-        if (row.inspect) code_without_value(row.inspect(folder / "changed"));
+        if (row.inspect) code_without_value(inspect_file(row, folder / "changed"));
         static_cast<void>(code_of("changed", shape));
     }
     FileShape other = shape;
@@ -133,7 +134,7 @@ inline void expect_refuses_damage(config::FileFormat format, const Baked& volume
     EXPECT_EQ(code_of("a.file", other), "E0304");
     EXPECT_EQ(code_of("absent", shape), "E0300");
     if (row.inspect) {
-        EXPECT_EQ(code_without_value(row.inspect(folder / "absent")), "E0300");
+        EXPECT_EQ(code_without_value(inspect_file(row, folder / "absent")), "E0300");
     }
 }
 

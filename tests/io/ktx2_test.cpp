@@ -8,6 +8,7 @@
 #include "bakers/io/formats/ktx2/zstd_stream.h"
 #include "tests/io/files.h"
 #include "tests/io/format_checks.h"
+#include "tests/io/open_formats.h"
 
 namespace skybake {
 namespace {
@@ -109,7 +110,7 @@ TEST(Ktx2, SaysWhatItHolds) {
     EXPECT_EQ(at, values.size());
     using namespace std::string_literals;
     EXPECT_EQ(found, "KTXorientation\0rdi\0|KTXwriter\0skybake 0.1.0\0|skybake/asset\0{}\0|"s);
-    const auto facts = format_of(kFormat).inspect(folder / "a.file");
+    const auto facts = testing::inspect_file(format_of(kFormat), folder / "a.file");
     ASSERT_TRUE(facts.value.has_value());
     EXPECT_EQ(facts.value->metadata, "{}");
     EXPECT_EQ(facts.value->compression, "none");

@@ -10,6 +10,7 @@
 #include "bakers/io/formats/format.h"
 #include "tests/io/files.h"
 #include "tests/io/format_checks.h"
+#include "tests/io/open_formats.h"
 
 namespace skybake {
 namespace {
@@ -150,7 +151,7 @@ TEST(Nvdb, PlacesVoxelsAsVdbFilesDo) {
 TEST(Nvdb, SaysWhatItHolds) {
     const TemporaryFolder folder;
     written(folder, kFormat, placed_volume({9, 17, 8}, 3, PixelType::half), 1);
-    const auto facts = format_of(kFormat).inspect(folder / "a.file");
+    const auto facts = testing::inspect_file(format_of(kFormat), folder / "a.file");
     ASSERT_TRUE(facts.value.has_value());
     EXPECT_EQ(facts.value->metadata, "{}");
     EXPECT_EQ(facts.value->names, (std::vector<std::string>{"R", "G", "B"}));

@@ -6,6 +6,7 @@
 #include "bakers/io/formats/format.h"
 #include "tests/io/files.h"
 #include "tests/io/format_checks.h"
+#include "tests/io/open_formats.h"
 
 namespace skybake {
 namespace {
@@ -125,7 +126,7 @@ TEST(Tga, SaysThatAlphaMultipliesNothing) {
     EXPECT_EQ(bytes.substr(number<std::uint32_t>(bytes, developer + 4),
                            number<std::uint32_t>(bytes, developer + 8)),
               "{}");
-    const auto facts = format_of(FileFormat::tga).inspect(folder / "a.file");
+    const auto facts = testing::inspect_file(format_of(FileFormat::tga), folder / "a.file");
     ASSERT_TRUE(facts.value.has_value());
     EXPECT_EQ(facts.value->metadata, "{}");
 }

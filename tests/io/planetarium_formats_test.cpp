@@ -6,6 +6,7 @@
 #include "bakers/io/formats/format.h"
 #include "tests/io/files.h"
 #include "tests/io/format_checks.h"
+#include "tests/io/open_formats.h"
 
 namespace skybake {
 namespace {
@@ -66,7 +67,7 @@ TEST(Tif, HasAPageForEachSlice) {
         }
         EXPECT_EQ(at, 0U) << "the last page";
         EXPECT_EQ(testing::wrong_values(FileFormat::tif, volume, folder / "a.file"), 0);
-        const auto facts = format_of(FileFormat::tif).inspect(folder / "a.file");
+        const auto facts = testing::inspect_file(format_of(FileFormat::tif), folder / "a.file");
         ASSERT_TRUE(facts.value.has_value());
         EXPECT_EQ(facts.value->metadata, "{}");
         EXPECT_EQ(facts.value->channels, static_cast<std::size_t>(channels));

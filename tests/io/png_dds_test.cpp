@@ -9,6 +9,7 @@
 #include "bakers/io/formats/format.h"
 #include "tests/io/files.h"
 #include "tests/io/format_checks.h"
+#include "tests/io/open_formats.h"
 
 namespace skybake {
 namespace {
@@ -243,7 +244,7 @@ TEST(Png, HasNoChunkLargerThanItsFile) {
     ASSERT_NE(name, std::string::npos);
     bytes.replace(name - 4, 4, "rrrr");
     testing::write_bytes(folder / "large_chunk", bytes);
-    const auto outcome = format_of(FileFormat::png).inspect(folder / "large_chunk");
+    const auto outcome = testing::inspect_file(format_of(FileFormat::png), folder / "large_chunk");
     ASSERT_EQ(testing::first_code(outcome.diagnostics), "E0304");
     EXPECT_NE(outcome.diagnostics[0].message.find("longer than the file"), std::string::npos)
         << outcome.diagnostics[0].message;

@@ -10,6 +10,7 @@
 #include "bakers/field/pixel_type.h"
 #include "bakers/io/formats/vdb/vdb_file.h"
 #include "bakers/io/formats/vdb/vdb_source.h"
+#include "tests/io/open_formats.h"
 #include "tests/support/volumes.h"
 
 namespace skybake::testing {
@@ -56,8 +57,8 @@ inline config::Outcome<bool> read_vdb_voxels(
     shape.size = grid.value->size;
     shape.channels = file.value->grids.size();
     const std::int64_t plane = std::int64_t{shape.size[0]} * shape.size[1];
-    return vdb_format().read(
-        path, shape, 0, [&](std::int64_t first, std::int64_t count, const float* v) {
+    return read_file_of(
+        vdb_format(), path, shape, 0, [&](std::int64_t first, std::int64_t count, const float* v) {
             return visit({shape.size,
                           static_cast<int>(first / plane),
                           static_cast<int>(count / plane),

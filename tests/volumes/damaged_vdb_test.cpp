@@ -11,6 +11,7 @@
 #include "bakers/io/formats/format.h"
 #include "bakers/io/formats/vdb/vdb_file.h"
 #include "bakers/io/volumes/volume_reader.h"
+#include "tests/io/open_formats.h"
 #include "tests/io/vdb_samples.h"
 #include "tests/support/volumes.h"
 #include "tests/volumes/damaged_files.h"
@@ -115,9 +116,10 @@ void use(const SourceVoxels& source) {
 void read_as_own(const Original& original, const std::filesystem::path& path) {
     const bool is_vdb = original.format == config::VolumeFormat::vdb;
     const Format& format = format_of(is_vdb ? config::FileFormat::vdb : config::FileFormat::nvdb);
-    static_cast<void>(format.inspect(path));
-    static_cast<void>(format.read(path, {{20, 17, 9}, 1, config::PixelType::float32, {}, 1}, 0,
-                                  [](std::int64_t, std::int64_t, const float*) { return true; }));
+    static_cast<void>(testing::inspect_file(format, path));
+    static_cast<void>(
+        testing::read_file_of(format, path, {{20, 17, 9}, 1, config::PixelType::float32, {}, 1}, 0,
+                              [](std::int64_t, std::int64_t, const float*) { return true; }));
 }
 
 Tally read_damaged(const TemporaryFolder& folder, const std::vector<Original>& files,
