@@ -65,7 +65,9 @@ void expect_flow(const Baked& volume, const std::filesystem::path& path) {
 
 // What the program reads again is each channel under its own name.
 void expect_components(const Baked& volume, const std::filesystem::path& path) {
-    const FileFacts facts = test::without_errors(inspect_grids(path));
+    Outcome<FileInput> file = FileInput::open(path);
+    ASSERT_TRUE(file.value);
+    const FileFacts facts = test::without_errors(inspect_grids(*file.value));
     EXPECT_EQ(facts.names, volume.grid_names);
     EXPECT_EQ(facts.pixel_type, volume.pixel_type);
     const VoxelBox box{{}, volume.levels[0].size};
