@@ -91,7 +91,6 @@ Sounding make_sounding(const Specification& wanted) {
         const double height = (z - wanted.mixed_levels + 0.5) * double{wanted.grid.edge_m[2]};
         const Climb at = climbed(wanted, height);
         Level level;
-        level.height_m = static_cast<float>(height);
         level.pressure_pa = static_cast<float>(at.pressure_pa);
         const double exner = exner_of(at.pressure_pa);
         level.exner = static_cast<float>(exner);

@@ -38,7 +38,6 @@ struct Specification {
 
 // Numbers of a level's air.
 struct Level {
-    float height_m = 0;  // of its centre above the base
     float pressure_pa = 0;
     float exner = 1;                      // temperature over potential temperature
     float heat = 0;                       // potential temperature less kReference, K

@@ -18,25 +18,17 @@ std::string xxh3_hex(std::string_view bytes) {
     return hex_of(XXH3_128bits(bytes.data(), bytes.size()));
 }
 
-struct Hasher::State {
-    State() : xxh(XXH3_createState()) {
-        if (xxh == nullptr) throw std::bad_alloc();
-        XXH3_128bits_reset(xxh);
-    }
-    State(const State&) = delete;
-    State& operator=(const State&) = delete;
-    ~State() { XXH3_freeState(xxh); }
-
-    XXH3_state_t* xxh;
-};
-
-Hasher::Hasher() : state_(std::make_unique<State>()) {}
-Hasher::~Hasher() = default;
-
-void Hasher::update(std::string_view bytes) {
-    XXH3_128bits_update(state_->xxh, bytes.data(), bytes.size());
+Hasher::Hasher() : state_(XXH3_createState()) {
+    if (state_ == nullptr) throw std::bad_alloc();
+    XXH3_128bits_reset(state_);
 }
 
-std::string Hasher::hex() const { return hex_of(XXH3_128bits_digest(state_->xxh)); }
+Hasher::~Hasher() { XXH3_freeState(state_); }
+
+void Hasher::update(std::string_view bytes) {
+    XXH3_128bits_update(state_, bytes.data(), bytes.size());
+}
+
+std::string Hasher::hex() const { return hex_of(XXH3_128bits_digest(state_)); }
 
 }  // namespace skybake

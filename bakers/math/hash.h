@@ -1,9 +1,10 @@
 // Hashes of bytes. Only hash.cpp includes xxHash.
 #pragma once
 
-#include <memory>
 #include <string>
 #include <string_view>
+
+struct XXH3_state_s;
 
 namespace skybake {
 
@@ -24,8 +25,7 @@ class Hasher {
     std::string hex() const;
 
   private:
-    struct State;
-    std::unique_ptr<State> state_;
+    XXH3_state_s* state_;
 };
 
 }  // namespace skybake

@@ -82,15 +82,6 @@ std::vector<Value> halved(const std::vector<Value>& values, const std::array<int
     return result;
 }
 
-template <class Value>
-Value smaller(Value a, Value b) {
-    return std::min(a, b);
-}
-template <class Value>
-Value greater(Value a, Value b) {
-    return std::max(a, b);
-}
-
 using config::OccupancyContent;
 
 constexpr float kFarthestLeap = 255;
@@ -133,12 +124,12 @@ std::array<int, 3> next_level_size(const std::array<int, 3>& size) {
 }
 
 CellRanges next_level(const CellRanges& ranges) {
-    return {next_level_size(ranges.size), halved(ranges.minimum, ranges.size, smaller<float>),
-            halved(ranges.maximum, ranges.size, greater<float>)};
+    return {next_level_size(ranges.size), halved(ranges.minimum, ranges.size, std::ranges::min),
+            halved(ranges.maximum, ranges.size, std::ranges::max)};
 }
 
 OccupiedCells next_level(const OccupiedCells& cells) {
-    return {next_level_size(cells.size), halved(cells.occupied, cells.size, greater<std::uint8_t>)};
+    return {next_level_size(cells.size), halved(cells.occupied, cells.size, std::ranges::max)};
 }
 
 float stored_up(float value, PixelType type) {
