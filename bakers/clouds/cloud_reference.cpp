@@ -154,13 +154,14 @@ double blended(double h, double type) {
                       : std::lerp(profiles[1], profiles[2], 2 * type - 1);
 }
 
-}  // namespace
-
-double tower_reference(std::span<const Tower> towers, const std::array<double, 2>& place) {
+// The towers' field at a place of the ground plan, in units of tiles.
+double tower_reference(const std::vector<Tower>& towers, const std::array<double, 2>& place) {
     double sum = 0;
     for (const Tower& tower : towers) sum += images_of(tower, place);
     return sum;
 }
+
+}  // namespace
 
 double height_profile_reference(const config::HeightProfile& profile, double h) {
     if (profile.type == HeightProfileType::thesis) {

@@ -5,7 +5,6 @@
 #pragma once
 
 #include <array>
-#include <span>
 #include <vector>
 
 #include "bakers/clouds/cloud_plan.h"
@@ -13,9 +12,6 @@
 #include "config/sections/noise.h"
 
 namespace skybake::cloud {
-
-// Returns the towers' field at a place of the ground plan, in units of tiles.
-double tower_reference(std::span<const config::Tower> towers, const std::array<double, 2>& place);
 
 double height_profile_reference(const config::HeightProfile& profile, double h);
 

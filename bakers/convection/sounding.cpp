@@ -12,6 +12,14 @@ double power(double base, double exponent) { return exponential(exponent * logar
 
 double exner_of(double pressure_pa) { return power(pressure_pa / 1e5, kGasOverHeat); }
 
+// Saturation mixing ratio of vapour over water, g/kg (Bolton 1980, "The computation of equivalent potential
+// temperature", equation 10).
+double saturation_water(double temperature_k, double pressure_pa) {
+    const double vapour =
+        611.2 * exponential(17.67 * (temperature_k - 273.15) / (temperature_k - 29.65));
+    return 1e3 * kVapourRatio * vapour / (pressure_pa - (1 - kVapourRatio) * vapour);
+}
+
 // The cooling of rising cloudy air, K/m (American Meteorological Society, Glossary of Meteorology,
 // "moist-adiabatic lapse rate").
 double moist_lapse(double temperature_k, double pressure_pa) {
@@ -76,12 +84,6 @@ Climb climbed(const Specification& wanted, double height_m) {
 }
 
 }  // namespace
-
-double saturation_water(double temperature_k, double pressure_pa) {
-    const double vapour =
-        611.2 * exponential(17.67 * (temperature_k - 273.15) / (temperature_k - 29.65));
-    return 1e3 * kVapourRatio * vapour / (pressure_pa - (1 - kVapourRatio) * vapour);
-}
 
 Sounding make_sounding(const Specification& wanted) {
     Sounding sounding;

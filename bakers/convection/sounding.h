@@ -55,8 +55,4 @@ struct Sounding {
 
 Sounding make_sounding(const Specification& wanted);
 
-// Saturation mixing ratio of vapour over water, g/kg (Bolton 1980, "The computation of equivalent potential
-// temperature", equation 10).
-double saturation_water(double temperature_k, double pressure_pa);
-
 }  // namespace skybake::convection

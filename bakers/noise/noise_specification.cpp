@@ -11,6 +11,9 @@
 namespace skybake::noise {
 namespace {
 
+// How far from its voxel a sample is, in tiles. Null: it is not displaced.
+using Displacement = std::array<float, 3>;
+
 // A sample's cell along an axis, not wrapped, and its place in it.
 struct CellPlace {
     std::int64_t cell = 0;
@@ -59,6 +62,56 @@ MovingGradient gradient_of(const GradientOctave& octave, std::uint32_t x, std::u
     return {gradient.x, gradient.y, gradient.z, 0};
 }
 
+// Returns one octave of gradient noise multiplied by its amplitude.
+float gradient_octave_at(const std::array<TileAxis, 3>& axes, const GradientOctave& octave,
+                         const Voxel& voxel, const Displacement* displacement) {
+    std::array<std::int64_t, 3> cell;
+    std::array<GradientBasis, 3> basis;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const LatticePosition at =
+            lattice_position(axes[axis], octave.frequency[axis], voxel[axis]);
+        cell[axis] = at.cell;
+        basis[axis] = basis_of(octave, axis, at);
+        if (displacement != nullptr) {
+            const CellPlace place =
+                displaced_place(at, octave.frequency[axis], (*displacement)[axis]);
+            cell[axis] = place.cell;
+            basis[axis] = basis_at(place.fraction);
+        }
+    }
+    basis[1] = scaled(basis[1], octave.amplitude);
+    const auto gradient = [&](int dx, int dy, int dz) {
+        return gradient_of(octave, wrapped_cell(cell[0] + dx, octave.frequency[0]),
+                           wrapped_cell(cell[1] + dy, octave.frequency[1]),
+                           wrapped_cell(cell[2] + dz, octave.frequency[2]));
+    };
+    const auto along_z = [&](int dx, int dy) {
+        const MovingGradient near = gradient(dx, dy, 0);
+        const MovingGradient far = gradient(dx, dy, 1);
+        const GradientBasis& b = basis[2];
+        BlendedAlongZ blended{near.z * b.distance_0 + far.z * b.distance_1,
+                              near.x * b.weight_0 + far.x * b.weight_1,
+                              near.y * b.weight_0 + far.y * b.weight_1};
+        if (octave.time) {
+            blended.distance += near.rest * b.weight_0 + far.rest * b.weight_1;
+        }
+        return blended;
+    };
+    const auto along_yz = [&](int dx) {
+        const BlendedAlongZ near = along_z(dx, 0);
+        const BlendedAlongZ far = along_z(dx, 1);
+        const GradientBasis& b = basis[1];
+        return BlendedAlongYZ{(near.distance * b.weight_0 + near.y * b.distance_0) +
+                                  (far.distance * b.weight_1 + far.y * b.distance_1),
+                              near.x * b.weight_0 + far.x * b.weight_1};
+    };
+    const BlendedAlongYZ near = along_yz(0);
+    const BlendedAlongYZ far = along_yz(1);
+    const GradientBasis& b = basis[0];
+    return (near.value * b.weight_0 + far.value * b.weight_1) +
+           (near.slope * b.distance_0 + far.slope * b.distance_1);
+}
+
 // --- Cellular noise -----------------------------------------------------------------------------
 
 struct NearestPoints {
@@ -69,6 +122,41 @@ struct NearestPoints {
         first = std::min(first, squared_distance);
     }
 };
+
+// Returns one octave of cellular noise: worley noise in its value form, from the nearest points
+// among the 125 cells around the sample, which always contain them, or alligator noise.
+float cell_field_at(const std::array<TileAxis, 3>& axes, const CellField& field, const Voxel& voxel,
+                    const Displacement* displacement) {
+    std::array<CellPlace, 3> at;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const LatticePosition position =
+            lattice_position(axes[axis], field.frequency[axis], voxel[axis]);
+        at[axis] = displacement == nullptr
+                       ? CellPlace{position.cell, cell_fraction(position)}
+                       : displaced_place(position, field.frequency[axis], (*displacement)[axis]);
+    }
+    const auto wrapped = [&](std::size_t axis, int offset) {
+        return wrapped_cell(at[axis].cell + offset, field.frequency[axis]);
+    };
+    NearestPoints nearest;
+    GreatestBumps bumps;
+    for (int dz = -2; dz <= 2; ++dz) {
+        for (int dy = -2; dy <= 2; ++dy) {
+            const RowKey row = row_key(field.key, wrapped(1, dy), wrapped(2, dz));
+            for (int dx = -2; dx <= 2; ++dx) {
+                const CellPoint point = cell_point(row, wrapped(0, dx), field.shift);
+                const float x = (at[0].fraction - point.x) - static_cast<float>(dx);
+                const float y = (at[1].fraction - point.y) - static_cast<float>(dy);
+                const float z = (at[2].fraction - point.z) - static_cast<float>(dz);
+                const float squared_distance = (x * x + y * y) + z * z;
+                nearest.add(squared_distance);
+                bumps.add(squared_distance, point.height);
+            }
+        }
+    }
+    if (field.kind == CellKind::alligator) return bumps.value();
+    return cell_value(field.feature, field.value_form, nearest.first, nearest.second);
+}
 
 // --- Channels -----------------------------------------------------------------------------------
 
@@ -163,88 +251,6 @@ float channel_at(const NoisePlan& plan, const ChannelPlan& channel, const Voxel&
 }
 
 }  // namespace
-
-float gradient_octave_at(const std::array<TileAxis, 3>& axes, const GradientOctave& octave,
-                         const Voxel& voxel, const Displacement* displacement) {
-    std::array<std::int64_t, 3> cell;
-    std::array<GradientBasis, 3> basis;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const LatticePosition at =
-            lattice_position(axes[axis], octave.frequency[axis], voxel[axis]);
-        cell[axis] = at.cell;
-        basis[axis] = basis_of(octave, axis, at);
-        if (displacement != nullptr) {
-            const CellPlace place =
-                displaced_place(at, octave.frequency[axis], (*displacement)[axis]);
-            cell[axis] = place.cell;
-            basis[axis] = basis_at(place.fraction);
-        }
-    }
-    basis[1] = scaled(basis[1], octave.amplitude);
-    const auto gradient = [&](int dx, int dy, int dz) {
-        return gradient_of(octave, wrapped_cell(cell[0] + dx, octave.frequency[0]),
-                           wrapped_cell(cell[1] + dy, octave.frequency[1]),
-                           wrapped_cell(cell[2] + dz, octave.frequency[2]));
-    };
-    const auto along_z = [&](int dx, int dy) {
-        const MovingGradient near = gradient(dx, dy, 0);
-        const MovingGradient far = gradient(dx, dy, 1);
-        const GradientBasis& b = basis[2];
-        BlendedAlongZ blended{near.z * b.distance_0 + far.z * b.distance_1,
-                              near.x * b.weight_0 + far.x * b.weight_1,
-                              near.y * b.weight_0 + far.y * b.weight_1};
-        if (octave.time) {
-            blended.distance += near.rest * b.weight_0 + far.rest * b.weight_1;
-        }
-        return blended;
-    };
-    const auto along_yz = [&](int dx) {
-        const BlendedAlongZ near = along_z(dx, 0);
-        const BlendedAlongZ far = along_z(dx, 1);
-        const GradientBasis& b = basis[1];
-        return BlendedAlongYZ{(near.distance * b.weight_0 + near.y * b.distance_0) +
-                                  (far.distance * b.weight_1 + far.y * b.distance_1),
-                              near.x * b.weight_0 + far.x * b.weight_1};
-    };
-    const BlendedAlongYZ near = along_yz(0);
-    const BlendedAlongYZ far = along_yz(1);
-    const GradientBasis& b = basis[0];
-    return (near.value * b.weight_0 + far.value * b.weight_1) +
-           (near.slope * b.distance_0 + far.slope * b.distance_1);
-}
-
-float cell_field_at(const std::array<TileAxis, 3>& axes, const CellField& field, const Voxel& voxel,
-                    const Displacement* displacement) {
-    std::array<CellPlace, 3> at;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const LatticePosition position =
-            lattice_position(axes[axis], field.frequency[axis], voxel[axis]);
-        at[axis] = displacement == nullptr
-                       ? CellPlace{position.cell, cell_fraction(position)}
-                       : displaced_place(position, field.frequency[axis], (*displacement)[axis]);
-    }
-    const auto wrapped = [&](std::size_t axis, int offset) {
-        return wrapped_cell(at[axis].cell + offset, field.frequency[axis]);
-    };
-    NearestPoints nearest;
-    GreatestBumps bumps;
-    for (int dz = -2; dz <= 2; ++dz) {
-        for (int dy = -2; dy <= 2; ++dy) {
-            const RowKey row = row_key(field.key, wrapped(1, dy), wrapped(2, dz));
-            for (int dx = -2; dx <= 2; ++dx) {
-                const CellPoint point = cell_point(row, wrapped(0, dx), field.shift);
-                const float x = (at[0].fraction - point.x) - static_cast<float>(dx);
-                const float y = (at[1].fraction - point.y) - static_cast<float>(dy);
-                const float z = (at[2].fraction - point.z) - static_cast<float>(dz);
-                const float squared_distance = (x * x + y * y) + z * z;
-                nearest.add(squared_distance);
-                bumps.add(squared_distance, point.height);
-            }
-        }
-    }
-    if (field.kind == CellKind::alligator) return bumps.value();
-    return cell_value(field.feature, field.value_form, nearest.first, nearest.second);
-}
 
 std::vector<float> noise_at(const NoisePlan& plan, const Voxel& voxel) {
     std::vector<float> values;

@@ -15,18 +15,6 @@ namespace skybake::noise {
 
 using Voxel = std::array<std::int64_t, 3>;
 
-// How far from its voxel a sample is, in tiles. Null: it is not displaced.
-using Displacement = std::array<float, 3>;
-
-// Returns one octave of gradient noise multiplied by its amplitude.
-float gradient_octave_at(const std::array<TileAxis, 3>& axes, const GradientOctave& octave,
-                         const Voxel& voxel, const Displacement* displacement = nullptr);
-
-// Returns one octave of cellular noise: worley noise in its value form, from the nearest points
-// among the 125 cells around the sample, which always contain them, or alligator noise.
-float cell_field_at(const std::array<TileAxis, 3>& axes, const CellField& field, const Voxel& voxel,
-                    const Displacement* displacement = nullptr);
-
 // Returns all output channels.
 std::vector<float> noise_at(const NoisePlan& plan, const Voxel& voxel);
 

@@ -12,6 +12,7 @@
 #include "bakers/light/solver/first_light.h"
 #include "bakers/light/solver/peaked_light.h"
 #include "bakers/light/solver/reading_levels.h"
+#include "bakers/light/solver/residual_search.h"
 #include "bakers/light/solver/solution_levels.h"
 #include "bakers/light/solver/transport.h"
 #include "bakers/math/parallel.h"
@@ -89,6 +90,14 @@ double lift_by(const LightField& residual, LightField light) {
     return most;
 }
 
+struct OrderSum {
+    LightField light;
+    LightField residual;   // first + K light - light, where it is known
+    int applications = 0;  // of K
+    // Truncation error, as an estimated share of the light at any point (light_scale).
+    double left_out = 0;
+};
+
 // Returns an estimate of the sum of all orders whose falls `next` may read light by, with its residual.
 // `follow` makes it read by those of an estimate.
 OrderSum estimated_sum(const LightField& first, LightField start, const NextOrder& next,
@@ -103,6 +112,49 @@ OrderSum estimated_sum(const LightField& first, LightField start, const NextOrde
         if (sum.applications == kMostLifts || lift_by(sum.residual, sum.light) < kMostLift) break;
         add(sum.residual, sum.light);
     }
+    return sum;
+}
+
+// Sums orders until the truncation error is within the tolerance or the applications are used up.
+// `sum` is an estimate with its residual.
+OrderSum sum_of_orders(const LightField& first, OrderSum sum, const NextOrder& next,
+                       const CorrectResidual& correct, const SolverSettings& settings,
+                       Progress* progress) {
+    while (!is_cancelled(progress)) {
+        const LightScale scale = light_scale(sum.light);
+        const ResidualSearch search = {settings.tolerance,
+                                       settings.most_applications - sum.applications};
+        sum.applications +=
+            search_residual(next, correct, scale, search, progress, sum.residual, sum.light);
+        const LightField missing = correct(sum.residual, scale);
+        add(missing, sum.light);
+        const LightScale found = light_scale(sum.light);
+        sum.left_out = largest_share(missing, found);
+        const bool is_small = mean_share(missing, found) <= settings.tolerance &&
+                              sum.left_out <= kLargestOverMean * settings.tolerance;
+        if (is_small || sum.applications >= settings.most_applications) break;
+        sum.residual = residual_of(first, next, sum.light);
+        ++sum.applications;
+    }
+    drop_less_than_nothing(sum.light);
+    return sum;
+}
+
+// Sums the first `orders` of them, at least one, and nothing of the rest.
+OrderSum sum_of_first_orders(const LightField& first, const NextOrder& next, int orders,
+                             Progress* progress) {
+    assert(orders >= 1);
+    OrderSum sum;
+    sum.light = first;
+    LightField before = first;
+    LightField added(first.levels, first.suns, first.degree);
+    for (int order = 2; order <= orders && !is_cancelled(progress); ++order) {
+        next(before, added);
+        ++sum.applications;
+        add(added, sum.light);
+        std::swap(before, added);
+    }
+    drop_less_than_nothing(sum.light);
     return sum;
 }
 
@@ -173,8 +225,7 @@ SolvedLight solve_orders_in(const SkyMedium& medium, const SolverSettings& setti
     if (settings.orders > 0) {
         return solved_by(sum_of_first_orders(first, next, settings.orders, progress));
     }
-    return solved_by(sum_of_orders(first, std::move(sum), next, correct,
-                                   {settings.tolerance, settings.most_applications}, progress));
+    return solved_by(sum_of_orders(first, std::move(sum), next, correct, settings, progress));
 }
 
 SolvedLight solve_orders(const SkyMedium& medium, const SolverSettings& settings, int threads,
@@ -213,46 +264,6 @@ SolvedLight solve_levels(const SkyMedium& medium, const SolverSettings& settings
 }
 
 }  // namespace
-
-OrderSum sum_of_orders(const LightField& first, OrderSum sum, const NextOrder& next,
-                       const CorrectResidual& correct, const SumSettings& settings,
-                       Progress* progress) {
-    while (!is_cancelled(progress)) {
-        const LightScale scale = light_scale(sum.light);
-        const ResidualSearch search = {settings.tolerance,
-                                       settings.most_applications - sum.applications};
-        sum.applications +=
-            search_residual(next, correct, scale, search, progress, sum.residual, sum.light);
-        const LightField missing = correct(sum.residual, scale);
-        add(missing, sum.light);
-        const LightScale found = light_scale(sum.light);
-        sum.left_out = largest_share(missing, found);
-        const bool is_small = mean_share(missing, found) <= settings.tolerance &&
-                              sum.left_out <= kLargestOverMean * settings.tolerance;
-        if (is_small || sum.applications >= settings.most_applications) break;
-        sum.residual = residual_of(first, next, sum.light);
-        ++sum.applications;
-    }
-    drop_less_than_nothing(sum.light);
-    return sum;
-}
-
-OrderSum sum_of_first_orders(const LightField& first, const NextOrder& next, int orders,
-                             Progress* progress) {
-    assert(orders >= 1);
-    OrderSum sum;
-    sum.light = first;
-    LightField before = first;
-    LightField added(first.levels, first.suns, first.degree);
-    for (int order = 2; order <= orders && !is_cancelled(progress); ++order) {
-        next(before, added);
-        ++sum.applications;
-        add(added, sum.light);
-        std::swap(before, added);
-    }
-    drop_less_than_nothing(sum.light);
-    return sum;
-}
 
 SolverSettings finer(SolverSettings settings) {
     settings.level_scale *= 1.25;

@@ -13,34 +13,10 @@
 
 #include "bakers/air/medium.h"
 #include "bakers/air/transmittance_field.h"
-#include "bakers/light/solver/residual_search.h"
 #include "bakers/light/solver/solved_light.h"
 #include "bakers/math/bake_options.h"
 
 namespace skybake {
-
-struct OrderSum {
-    LightField light;
-    LightField residual;   // first + K light - light, where it is known
-    int applications = 0;  // of K
-    // Truncation error, as an estimated share of the light at any point (light_scale).
-    double left_out = 0;
-};
-
-struct SumSettings {
-    double tolerance = 0;  // for the truncation error in the mean; ten times as much anywhere
-    int most_applications = 0;
-};
-
-// Sums orders until the truncation error is within the tolerance or the applications are used up.
-// `sum` is an estimate with its residual.
-OrderSum sum_of_orders(const LightField& first, OrderSum sum, const NextOrder& next,
-                       const CorrectResidual& correct, const SumSettings& settings,
-                       Progress* progress);
-
-// Sums the first `orders` of them, at least one, and nothing of the rest.
-OrderSum sum_of_first_orders(const LightField& first, const NextOrder& next, int orders,
-                             Progress* progress);
 
 // The resolution of the solution. With the defaults the mean radiance on Earth is within 0.06 %
 // (median; at most 1.2 %) of a solution with several times as many of everything, and within 0.4 %
