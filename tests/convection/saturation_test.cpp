@@ -55,7 +55,7 @@ TEST(Saturation, EqualsABisection) {
 
 // Droplets weigh, vapour lifts, and the heat of condensation lifts more.
 TEST(Saturation, BuoyancyIsThatOfTheVirtualPotentialTemperature) {
-    const Level level{0, 90000, static_cast<float>(std::pow(0.9, kGasOverHeat)), -10, 5, {}};
+    const Level level{90000, static_cast<float>(std::pow(0.9, kGasOverHeat)), -10, 5, {}};
     const float own = virtual_heat(level);
     for (const double water : {5.0, 10.0, 14.0}) {
         const float heat = -9;
