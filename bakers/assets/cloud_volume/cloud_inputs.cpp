@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "bakers/assets/description/estimate.h"
 #include "bakers/clouds/cover_search.h"
 #include "bakers/clouds/grown_volume.h"
 #include "bakers/io/formats/png/map_image.h"
@@ -162,8 +163,11 @@ Outcome<CloudInputs> cloud_inputs(const Parameters& parameters, const CloudVolum
 }
 
 double bytes_to_read_maps(const Cloud& cloud) {
-    constexpr double kPerPixel = 13;  // measured
-    return kPerPixel * (map_pixels(cloud.coverage_map) + map_pixels(cloud.type_map));
+    constexpr double kLibrary =
+        48 * kMebibyte;  // OpenImageIO and what it uses, measured and rounded up
+    constexpr double kPerPixel = 13;
+    const double pixels = map_pixels(cloud.coverage_map) + map_pixels(cloud.type_map);
+    return pixels > 0 ? kLibrary + kPerPixel * pixels : 0;
 }
 
 std::vector<Diagnostic> check_cloud_files(const Parameters& parameters) {
