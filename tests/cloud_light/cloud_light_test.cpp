@@ -181,6 +181,19 @@ TEST(CloudLight, CertificatesOfRadianceTellSomethingOfHardlyAnyCloud) {
     }
 }
 
+// Paths of light through a thousand depths have millions of collisions.
+TEST(CloudLight, QuickCertificatesDoNotWaitForLongPaths) {
+    CloudLayer layer = test::layer_of({8, 8, 32}, 1);
+    const CloudLightBake bake = bake_of(CloudLightContents::sky_radiance);
+    for (const double extinction_per_m : {0.02, 5.0, 1e4}) {
+        layer.optics.extinction_per_m = extinction_per_m;
+        const Baked volume = baked(layer, bake, 2, Certification::quick);
+        const bool is_thin = extinction_per_m < 1;
+        EXPECT_EQ(volume.certified, is_thin) << extinction_per_m;
+        EXPECT_EQ(fact_named(volume.details, "not_measured").empty(), is_thin) << extinction_per_m;
+    }
+}
+
 // Texels that are all 0 err by the light itself, which in a thick slab is about that of the source.
 TEST(CloudLight, ErrorsOfRadianceAreSharesOfTheSource) {
     const CloudLayer layer = test::layer_of({4, 4, 16}, 1);

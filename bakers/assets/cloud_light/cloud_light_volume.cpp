@@ -118,7 +118,7 @@ VolumeFinish finish_of(const Baked& volume, const CloudLayer& layer, const Cloud
     };
     if (options.certification == Certification::off) return finish;
     CloudLightTruth truth = cloud_light_truth(layer, bake, options.threads);
-    if (config::is_radiance(bake.contents)) {
+    if (config::is_radiance(bake.contents) && options.certification == Certification::quick) {
         std::vector<glm::dvec3> places;
         for (int i = 0; i < 16; ++i) {
             const Uvw uvw = truth.comparison.lookup_place(low_discrepancy_point(i));
@@ -243,9 +243,10 @@ Outcome<Baked> bake_cloud_light(const Baked& of, const CloudLayer& layer,
     add_mip_levels(bake.mips, options, volume);
     VolumeFinish finish = finish_of(volume, layer, bake, options);
     if (!finish.reference && options.certification != Certification::off) {
-        volume.details.emplace_back("not_measured",
-                                    fmt::format("paths of light have more than {} collisions",
-                                                cloud_light::kMostCollisionsOfPath));
+        volume.details.emplace_back(
+            "not_measured",
+            fmt::format("paths of light have more than {} collisions: --certify full waits",
+                        cloud_light::kMostCollisionsOfPath));
     }
     finish.histogram_ranges = texel_ranges(*texels);
     finish.sampled = volume.levels.front();

@@ -175,7 +175,7 @@ std::vector<std::vector<float>> radiance_values(const CloudLayer& layer, const P
 
 bool are_too_long(const CloudLayer& layer, const CloudLightBake& bake,
                   const std::vector<glm::dvec3>& places, int threads) {
-    constexpr int kPaths = 4;  // from each place
+    constexpr int kPaths = 64;  // from each place: few of them have most of the collisions
     const CloudPaths paths(layer, scattering_of(layer, bake), sources_of(bake, layer.sky.reference),
                            threads);
     const auto most = static_cast<std::int64_t>(places.size()) * kPaths * kMostCollisionsOfPath;

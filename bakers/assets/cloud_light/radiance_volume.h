@@ -50,7 +50,7 @@ inline constexpr int kReferencePaths = 2048;
 inline constexpr int kFewestReferencePaths = 128;
 inline constexpr int kReferenceCollisions = 1 << 17;
 
-// A certificate waits for paths of so many collisions on average, and no longer.
+// A quick certificate waits for paths of so many collisions on average, and no longer.
 inline constexpr std::int64_t kMostCollisionsOfPath = 2048;
 
 // Whether paths from these places, in voxels, have more collisions.
