@@ -263,7 +263,7 @@ TEST(WeatherMap, AMovingNoiseIsThatOfTheReference) {
     config::Noise noise = two_clouds();
     noise.period = 5;
     noise.time = 2;
-    noise.time_cells = 2;
+    noise.time_cells = 4;
     const WeatherMapBake bake = bake_of({40, 24}, {1, 1, 1}, {0, 0, 0}, PixelType::float32);
     EXPECT_LT(baked(noise, bake).certificate.texel.max, 1e-5);
 }
