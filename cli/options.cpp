@@ -242,7 +242,7 @@ Outcome<BakeSelection> select_bakes(const Invocation& invocation) {
     }
     if (all.empty()) problems.push_back(nothing_to_bake());
     for (Diagnostic& problem : check_cloud_files(recipe.value->parameters)) {
-        // What is read with a warning is warned of where it is baked.
+        // The bake repeats warnings of what it reads.
         if (problem.severity == Severity::error) problems.push_back(std::move(problem));
     }
     outcome.diagnostics.insert(outcome.diagnostics.end(), problems.begin(), problems.end());

@@ -243,9 +243,9 @@ Outcome<std::array<int, 2>> read_size(const std::string& text) {
     const std::size_t by = std::min(view.find('x'), view.size());
     const auto width = parse_count(view.substr(0, by), least, most);
     const auto height = parse_count(view.substr(std::min(by + 1, view.size())), least, most);
-    std::optional<std::array<int, 2>> size;
-    if (width && height) size = {*width, *height};
-    return valid(size, "--size", text, "size",
+    std::optional<std::array<int, 2>> pixels;
+    if (width && height) pixels = {*width, *height};
+    return valid(pixels, "--size", text, "size",
                  fmt::format("expected pixels from {} to {}, such as 1920x1080", least, most));
 }
 
@@ -260,13 +260,13 @@ Outcome<config::Moment> read_time(const std::string& text) {
 
 Outcome<EarthPlace> read_place(const std::string& text) {
     const auto pieces = config::pieces_between(text, ',');
-    std::optional<EarthPlace> place;
+    std::optional<EarthPlace> found;
     if (pieces.size() == 2) {
         const auto latitude = degrees_of(pieces[0], -90, 90);
         const auto longitude = degrees_of(pieces[1], -180, 180);
-        if (latitude && longitude) place = {*latitude, *longitude};
+        if (latitude && longitude) found = {*latitude, *longitude};
     }
-    return valid(place, "--place", text, "place",
+    return valid(found, "--place", text, "place",
                  "expected degrees of latitude and longitude, positive in the north and in the "
                  "east, such as 47.4,8.5");
 }

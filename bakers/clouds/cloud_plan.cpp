@@ -203,13 +203,13 @@ std::array<std::int64_t, 3> CloudPlan::head_of(const std::array<std::int64_t, 3>
     return {voxel[0] + fall[static_cast<std::size_t>(voxel[2])], voxel[1], size[2] - 1};
 }
 
-void CloudPlan::fill_shape(const VoxelBox& box, const std::vector<float*>& channels) const {
+void CloudPlan::fill_shape(const VoxelBox& box, const std::vector<float*>& values) const {
     if (volume) {
-        if (channels.front() != nullptr) volume->fill(box, {channels.front()});
-        if (flow) flow->fill(box, {channels.begin() + 1, channels.end()});
+        if (values.front() != nullptr) volume->fill(box, {values.front()});
+        if (flow) flow->fill(box, {values.begin() + 1, values.end()});
         return;
     }
-    fill_fallen(*this, *base, box, channels);
+    fill_fallen(*this, *base, box, values);
 }
 
 void CloudPlan::fill_detail(const VoxelBox& box, float* values) const {

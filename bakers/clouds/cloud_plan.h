@@ -100,7 +100,7 @@ struct CloudPlan {
     float noise_bound = 0;    // upper bound of the base noise of shaped channels, as a float
 
     // Fills a box with n, in all its channels, and with d.
-    void fill_shape(const VoxelBox& box, const std::vector<float*>& channels) const;
+    void fill_shape(const VoxelBox& box, const std::vector<float*>& values) const;
     void fill_detail(const VoxelBox& box, float* values) const;
     // Returns the voxel whose noise a voxel has; x may lie outside the tile.
     std::array<std::int64_t, 3> head_of(const std::array<std::int64_t, 3>& voxel) const;

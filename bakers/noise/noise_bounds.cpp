@@ -115,7 +115,7 @@ Interval stepped_bounds(const NoiseChannel& channel, const Interval& bounds) {
             smooth_step(edges, bounds[1] + room(bounds[1]))};
 }
 
-// What invert, bias and clamp make of a bound.
+// Returns what invert, bias and clamp make of a bound.
 double finished(const NoiseChannel& channel, double bound) {
     if (channel.invert) bound = 1 - bound;
     // Bias leaves 0, 1 and what is beyond where it is, and is monotonic.

@@ -12,7 +12,7 @@
 
 namespace skybake {
 
-// A picture as a file. Of `picture`, only the size is kept.
+// A picture as a file. Its `picture` keeps its size alone.
 struct PagePicture : PreviewPicture {
     std::string png;  // bytes
 };

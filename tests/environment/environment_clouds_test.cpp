@@ -62,7 +62,7 @@ TEST(EnvironmentClouds, TransmitByBeersLawHoweverThick) {
             if (depth > 150) continue;
             const double found =
                 clouds.transmittance(direction_of_angles({0.4, elevation * kDegree}));
-            EXPECT_NEAR(-std::log(found) / depth, 1, 0.04) << extinction << " " << elevation;
+            EXPECT_NEAR(-std::log(found) / depth, 1, 0.004) << extinction << " " << elevation;
         }
         EXPECT_EQ(clouds.transmittance(direction_of_angles({0, -30 * kDegree})), 1);
     }

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <glm/gtc/type_ptr.hpp>
 #include <limits>
 #include <utility>
 
@@ -16,7 +15,6 @@
 #include "bakers/field/baked.h"
 #include "bakers/field/finish_volume.h"
 #include "bakers/math/parallel.h"
-#include "bakers/math/quadrature.h"
 #include "bakers/occupancy/cell_grid.h"
 
 namespace skybake {
@@ -118,14 +116,9 @@ VolumeFinish finish_of(const Baked& volume, const CloudLayer& layer, const Cloud
     };
     if (options.certification == Certification::off) return finish;
     CloudLightTruth truth = cloud_light_truth(layer, bake, options.threads);
-    if (config::is_radiance(bake.contents) && options.certification == Certification::quick) {
-        std::vector<glm::dvec3> places;
-        for (int i = 0; i < 16; ++i) {
-            const Uvw uvw = truth.comparison.lookup_place(low_discrepancy_point(i));
-            places.push_back(glm::make_vec3(uvw.data()) *
-                             glm::dvec3(glm::make_vec3(layer.size.data())));
-        }
-        if (cloud_light::are_too_long(layer, bake, places, options.threads)) return finish;
+    if (config::is_radiance(bake.contents) && options.certification == Certification::quick &&
+        cloud_light::has_long_paths(layer, bake, truth.comparison, options.threads)) {
+        return finish;
     }
     finish.reference = std::move(truth.reference);
     finish.reference_name = std::move(truth.name);
@@ -245,8 +238,9 @@ Outcome<Baked> bake_cloud_light(const Baked& of, const CloudLayer& layer,
     if (!finish.reference && options.certification != Certification::off) {
         volume.details.emplace_back(
             "not_measured",
-            fmt::format("paths of light have more than {} collisions: --certify full waits",
-                        cloud_light::kMostCollisionsOfPath));
+            fmt::format(
+                "paths of light have more than {} collisions; --certify full waits for them",
+                cloud_light::kMostCollisionsOfPath));
     }
     finish.histogram_ranges = texel_ranges(*texels);
     finish.sampled = volume.levels.front();

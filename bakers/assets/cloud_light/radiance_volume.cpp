@@ -17,6 +17,7 @@
 #include "bakers/assets/cloud_light/radiance_solver.h"
 #include "bakers/assets/description/estimate.h"
 #include "bakers/math/bake_clock.h"
+#include "bakers/math/quadrature.h"
 #include "bakers/math/transcendental.h"
 
 namespace skybake::cloud_light {
@@ -96,6 +97,11 @@ TracedCoefficients trace_coefficients(const CloudPaths& paths, const glm::dvec3&
     return traced;
 }
 
+// Returns the place at texture coordinates, in voxels.
+glm::dvec3 place_in(const CloudLayer& layer, const std::array<double, 3>& uvw) {
+    return {uvw[0] * layer.size[0], uvw[1] * layer.size[1], uvw[2] * layer.size[2]};
+}
+
 // Other paths tell how many collisions there are, so that the paths whose light counts are not chosen by what
 // happens to them.
 TracedCoefficients traced_coefficients(const CloudPaths& paths, const glm::dvec3& place,
@@ -173,22 +179,24 @@ std::vector<std::vector<float>> radiance_values(const CloudLayer& layer, const P
     return values;
 }
 
-bool are_too_long(const CloudLayer& layer, const CloudLightBake& bake,
-                  const std::vector<glm::dvec3>& places, int threads) {
+bool has_long_paths(const CloudLayer& layer, const CloudLightBake& bake,
+                    const VolumeComparison& comparison, int threads) {
+    constexpr int kPlaces = 16;
     constexpr int kPaths = 64;  // from each place: few of them have most of the collisions
     const CloudPaths paths(layer, scattering_of(layer, bake), sources_of(bake, layer.sky.reference),
                            threads);
-    const auto most = static_cast<std::int64_t>(places.size()) * kPaths * kMostCollisionsOfPath;
+    constexpr std::int64_t kMost = kPlaces * kPaths * kMostCollisionsOfPath;
     TracedRadiance light;
-    for (std::size_t i = 0; i < places.size(); ++i) {
+    for (int i = 0; i < kPlaces; ++i) {
+        const glm::dvec3 place = place_in(layer, comparison.lookup_place(low_discrepancy_point(i)));
         RandomStream random(0, static_cast<std::uint32_t>(i), 0);
         for (int path = 0; path < kPaths; ++path) {
             glm::dvec3 look;
             paths.draw_direction((path + 0.5) / kPaths, random, look);
-            paths.walk(places[i], look, random, light, most);
+            paths.walk(place, look, random, light, kMost);
         }
     }
-    return light.collisions >= most;
+    return light.collisions >= kMost;
 }
 
 VolumeReference radiance_reference(const CloudLayer& layer, const CloudLightBake& bake,
@@ -198,8 +206,7 @@ VolumeReference radiance_reference(const CloudLayer& layer, const CloudLightBake
         std::make_shared<const CloudPaths>(layer, scattering_of(layer, bake), sources, threads);
     return [&layer, paths, sources, bake,
             scattering = scaled_scattering_of(layer, bake)](const std::array<double, 3>& uvw) {
-        glm::dvec3 place;
-        for (std::size_t a = 0; a < 3; ++a) place[a] = uvw[a] * layer.size[a];
+        const glm::dvec3 place = place_in(layer, uvw);
         // Places that differ along u have random numbers of their own.
         const auto ray = static_cast<std::uint32_t>(std::clamp(uvw[0], 0.0, 1.0) * 0xffffffffU);
         const TracedCoefficients traced = traced_coefficients(*paths, place, ray);

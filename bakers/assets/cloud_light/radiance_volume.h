@@ -53,9 +53,9 @@ inline constexpr int kReferenceCollisions = 1 << 17;
 // A quick certificate waits for paths of so many collisions on average, and no longer.
 inline constexpr std::int64_t kMostCollisionsOfPath = 2048;
 
-// Whether paths from these places, in voxels, have more collisions.
-bool are_too_long(const CloudLayer& layer, const CloudLightBake& bake,
-                  const std::vector<glm::dvec3>& places, int threads);
+// Whether paths from places where lookups are compared have more collisions.
+bool has_long_paths(const CloudLayer& layer, const CloudLightBake& bake,
+                    const VolumeComparison& comparison, int threads);
 
 // Returns the channels at a place from paths of light in all directions: with a the coefficients of all
 // light there, sunlight included that was not scattered, and tau the optical depth to the sun,

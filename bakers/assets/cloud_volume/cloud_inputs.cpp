@@ -163,8 +163,7 @@ Outcome<CloudInputs> cloud_inputs(const Parameters& parameters, const CloudVolum
 }
 
 double bytes_to_read_maps(const Cloud& cloud) {
-    constexpr double kLibrary =
-        48 * kMebibyte;  // OpenImageIO and what it uses, measured and rounded up
+    constexpr double kLibrary = 48 * kMebibyte;  // OpenImageIO, measured and rounded up
     constexpr double kPerPixel = 13;
     const double pixels = map_pixels(cloud.coverage_map) + map_pixels(cloud.type_map);
     return pixels > 0 ? kLibrary + kPerPixel * pixels : 0;

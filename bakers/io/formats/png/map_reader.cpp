@@ -54,8 +54,8 @@ constexpr std::array<Format, 8> formats = {{
     {"hdr", "#?RGBE"sv},
 }};
 
-// Returns the format of the file, or null if the library must not open it.
-const char* format_of(const std::filesystem::path& path) {
+// Returns the file's format, if it may be opened. Before its pixels are read, a PNG file is checked.
+const char* format_of(const std::filesystem::path& path, bool reads_pixels) {
     std::array<char, 8> bytes{};
     std::ifstream file;
     open_to_read(file, path);
@@ -66,7 +66,7 @@ const char* format_of(const std::filesystem::path& path) {
         return begin.substr(0, known.first_bytes.size()) == known.first_bytes;
     });
     expect(format != formats.end(), "it is neither PNG nor TIFF nor OpenEXR nor Radiance");
-    if (format->name == "png"sv) {
+    if (format->name == "png"sv && reads_pixels) {
         if (const auto damage = png_damage(file)) throw Refused(*damage);
     }
     // Deep images are refused here, because the library would abort the program for a channel of
@@ -225,7 +225,7 @@ std::vector<float> read_channels(ImageInput& input, const ImageSpec& picture, Ch
 
 MapPixels read_picture(const std::filesystem::path& path, const std::string& channel, int count) {
     ImageSpec picture;
-    const char* const format = format_of(path);
+    const char* const format = format_of(path, count > 0);
     const std::unique_ptr<ImageInput> input = open(path, format, picture);
     if (format != "openexr"sv) {  // windows of others are not the picture's
         picture.full_x = picture.x;
