@@ -128,10 +128,13 @@ bool is_other_volume(const fs::path& path) {
 void compare_files(const fs::path& first, const fs::path& second, const std::string& name,
                    Comparison& comparison) {
     if (is_other_volume(first) && is_other_volume(second)) {
-        compare_bytes(first, second, name, comparison);
-    } else {
-        compare_images(first, second, name, comparison);
+        return compare_bytes(first, second, name, comparison);
     }
+    const bool is_one_image = is_image(first) != is_image(second);
+    const auto one = is_one_image ? listed_file(first) : std::nullopt;
+    const auto other = one ? listed_file(second) : std::nullopt;
+    if (other) return compare_levels(*one, *other, name, comparison);
+    compare_images(first, second, name, comparison);
 }
 
 // Returns the names of a folder's files; those of a sweep's variants begin with their folders.

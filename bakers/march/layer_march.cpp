@@ -20,6 +20,8 @@ float gradient_noise(int x, int y, int layer) {
 RaySpan span_in_layer(const CloudMedium& medium, const glm::dvec3& position_m,
                       const glm::dvec3& direction, double reach_m) {
     RaySpan span{0, reach_m};
+    if (direction.z < 0 && position_m.z >= 0)
+        span.last_m = std::min(reach_m, -position_m.z / direction.z);  // the ground
     for (std::size_t a = medium.repeats ? 2 : 0; a < 3; ++a) {
         const double low = (a == 2 ? medium.base_m : 0) - position_m[a];
         const double high = low + medium.extent_m[a];
@@ -71,6 +73,16 @@ double voxel_edge_m(const CloudMedium& medium) {
                        3);
 }
 
+double farthest_reach_m(const CloudMedium& medium) {
+    return 256 * std::max(medium.extent_m[0], medium.extent_m[1]);
+}
+
+double reach_m_from(const CloudMedium& medium, double altitude_m) {
+    const double height_m = std::fabs(medium.base_m + 0.5 * medium.extent_m[2] - altitude_m);
+    return std::max(usual_steps(medium, {}).reach_m,
+                    std::min(height_m / sine_of_degrees(kEndElevation), farthest_reach_m(medium)));
+}
+
 MarchSteps usual_steps(const CloudMedium& medium, const SunDirection& sun) {
     MarchSteps steps;
     const double edge_m = voxel_edge_m(medium);
@@ -78,7 +90,7 @@ MarchSteps usual_steps(const CloudMedium& medium, const SunDirection& sun) {
     steps.step_m = deep ? edge_m / 2 : edge_m;
     steps.light_step_m = std::max(edge_m, sun_march_length_m(medium, sun) / kSunSamples);
     const double tile = std::max(medium.extent_m[0], medium.extent_m[1]);
-    steps.reach_m = std::min(std::max(24 * tile, 40e3), 256 * tile);
+    steps.reach_m = std::min(std::max(24 * tile, 40e3), farthest_reach_m(medium));
     return steps;
 }
 
@@ -101,6 +113,10 @@ CloudMarch march_through(const CloudMedium& medium, const MarchSteps& steps,
     march.octaves = octave_phases(cloud_phase(medium.optics.particles));
     march.step_m = static_cast<float>(steps.step_m);
     march.light_step_m = static_cast<float>(steps.light_step_m);
+    if (medium.repeats) {
+        march.fade_from_m = static_cast<float>(kFadeFrom * steps.reach_m);
+        march.fade_to_m = static_cast<float>(steps.reach_m);
+    }
     const glm::dvec3 direction = direction_of(sun.elevation_degrees, sun.azimuth_degrees);
     glm::dvec3 light_step{};  // in voxels
     for (std::size_t a = 0; a < 3; ++a) {

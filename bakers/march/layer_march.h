@@ -89,6 +89,15 @@ double voxel_edge_m(const CloudMedium& medium);
 // sample each the cloud's light had the grain of their jitter.
 inline constexpr double kDeepVoxel = 3;
 
+// A layer that repeats fades to nothing from this share of its reach on, and does not end at it.
+inline constexpr double kFadeFrom = 0.67;
+
+// The elevation below or above a camera's horizontal at which such a layer ends, in degrees, unless that is nearer
+// than its usual reach or farther than farthest_reach_m.
+inline constexpr double kEndElevation = 1.5;
+double farthest_reach_m(const CloudMedium& medium);
+double reach_m_from(const CloudMedium& medium, double altitude_m);
+
 // Returns steps of the length of a voxel's edge, along rays of half of it if voxels are deep, and a reach
 // beyond which a layer that repeats shows no more.
 MarchSteps usual_steps(const CloudMedium& medium, const SunDirection& sun);

@@ -216,15 +216,23 @@ std::vector<Diagnostic> unused_keys(const Recipe& recipe) {
 
 std::optional<Diagnostic> camera_above_air(const PreviewAssets& assets,
                                            const PreviewOptions& options) {
-    if (!options.altitude_m || !lit_pictures_of(assets).sky) return std::nullopt;
-    const config::Atmosphere& atmosphere = assets.recipe->parameters.atmosphere;
-    const double top_m = atmosphere.top_radius.meters - atmosphere.ground_radius.meters;
-    if (*options.altitude_m <= top_m) return std::nullopt;
+    const LitPictures lit = lit_pictures_of(assets);
+    double altitude_m = lit.sky ? options.altitude_m.value_or(0) : 0;
+    if (lit.clouds && options.camera && options.camera->position_m) {
+        altitude_m = std::max(altitude_m, options.camera->position_m->at(2));
+    }
+    double top_m = 100e3;  // of the preset `earth`
+    if (const Recipe* air =
+            lit.sky ? &*assets.recipe : stated_air(assets.recipe ? &*assets.recipe : nullptr)) {
+        const config::Atmosphere& atmosphere = air->parameters.atmosphere;
+        top_m = atmosphere.top_radius.meters - atmosphere.ground_radius.meters;
+    }
+    if (altitude_m <= top_m) return std::nullopt;
     return diagnosis(
         "E0110",
         fmt::format(
             "the altitude of the camera, {:g} km, is above the top of the atmosphere, {:g} km",
-            *options.altitude_m / 1000, top_m / 1000));
+            altitude_m / 1000, top_m / 1000));
 }
 
 std::vector<Diagnostic> clouds_cut_by_tile(const PreviewAssets& assets,

@@ -40,8 +40,8 @@ LitPictures lit_pictures_of(const PreviewAssets& assets);
 // bakes uses.
 [[nodiscard]] std::vector<Diagnostic> unused_keys(const Recipe& recipe);
 
-// Returns E0110 if a sky is to be shown and options.altitude_m is above the top of its air, where
-// the tables end.
+// Returns E0110 if the camera of skies or of clouds is to stand above the top of the air, where the
+// tables end.
 [[nodiscard]] std::optional<Diagnostic> camera_above_air(const PreviewAssets& assets,
                                                          const PreviewOptions& options);
 

@@ -18,16 +18,20 @@ constexpr const char* kTables =
 // Skies of a few cameras and suns take some MiB. Beyond this many assets the memo is emptied.
 constexpr std::size_t kMostAssets = 64;
 
-bool is_of_bake(const config::ResolvedValue& value) { return value.path.starts_with("bake."); }
+bool is_of_sections(const config::ResolvedValue& value) {
+    return value.path.starts_with("bake.") || value.path.starts_with("color.");
+}
 
-// Returns the recipe of the sections, in the air of another one.
+// Returns the recipe of the sections, in the air of another one. Light stays spectral, as pictures mix it.
 Outcome<Recipe> recipe_of(const Recipe* air, const std::string& sections) {
-    auto own = config::parse_recipe("preset = \"earth\"\n" + sections, "earth");
+    auto own =
+        config::parse_recipe("preset = \"earth\"\n[color]\nspace = \"none\"\n" + sections, "earth");
     if (air == nullptr || !own.value) return own;
     Recipe recipe = *air;
     recipe.parameters.bakes = std::move(own.value->parameters.bakes);
-    std::erase_if(recipe.values, is_of_bake);
-    std::ranges::copy_if(own.value->values, std::back_inserter(recipe.values), is_of_bake);
+    recipe.parameters.color = own.value->parameters.color;
+    std::erase_if(recipe.values, is_of_sections);
+    std::ranges::copy_if(own.value->values, std::back_inserter(recipe.values), is_of_sections);
     return {std::move(recipe), {}};
 }
 

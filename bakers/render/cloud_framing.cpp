@@ -111,7 +111,7 @@ double reach_m(const CloudMedium& medium, const CloudCamera& camera) {
     if (!medium.repeats) {
         return farthest_corner_m(tile_box(medium), camera.position_m);
     }
-    return usual_steps(medium, {}).reach_m;
+    return reach_m_from(medium, camera.position_m.z);
 }
 
 std::string kilometers(double meters) { return fmt::format("{:.4g}km", meters / 1000); }
@@ -172,12 +172,8 @@ FramedScene framed_scene(const std::vector<const CloudMedium*>& media, const Sun
     const CloudMedium* lowest = nullptr;
     for (const CloudMedium* medium : media) {
         const CloudViewSettings settings = framed_view(*medium, sun, width, height, request);
-        const double height_m =
-            std::fabs(medium->base_m + 0.5 * medium->extent_m[2] - settings.camera.position_m[2]);
-        const double to_horizon =
-            std::min(height_m / sine_of_degrees(kEndElevation), farthest_reach_m(*medium));
-        scene.layers.push_back({medium, settings.step_m, settings.light_step_m,
-                                std::max(settings.reach_m, to_horizon), true, kLightGrowth});
+        scene.layers.push_back(
+            {medium, settings.step_m, settings.light_step_m, settings.reach_m, kLightGrowth});
         if (lowest != nullptr && lowest->base_m <= medium->base_m) continue;
         lowest = medium;
         scene.camera = settings.camera;

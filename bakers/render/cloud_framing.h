@@ -27,21 +27,13 @@ struct CameraRequest {
 };
 
 // Chooses the settings of a view, with picture_steps. If the volume repeats, the camera
-// sees much of the layer and the reach is some tiles; if it does not repeat, the camera has the
+// sees much of the layer, whose reach is reach_m_from; if it does not repeat, the camera has the
 // whole volume in the picture.
 CloudViewSettings framed_view(const CloudMedium& medium, const SunDirection& sun, int width,
                               int height, const CameraRequest& request = {});
 
-// The elevation above the horizon at which a layer of a scene ends, in degrees, unless that is farther
-// away than farthest_reach_m.
-inline constexpr double kEndElevation = 1.5;
-inline double farthest_reach_m(const CloudMedium& medium) {
-    return 256 * std::max(medium.extent_m[0], medium.extent_m[1]);
-}
-
 // Chooses the layers and the camera of a picture of several media, which repeat. Each layer has steps
-// of its own voxels, and fades so far away that its end is close to the horizon. The camera is that of
-// the lowest medium.
+// of its own voxels. The camera is that of the lowest medium.
 struct FramedScene {
     std::vector<SceneLayer> layers;  // of the media, in their order
     CloudCamera camera;

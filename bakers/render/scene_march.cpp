@@ -26,14 +26,9 @@ constexpr int kDirectPoints = 32;
 
 CloudMarch march_of(const SceneLayer& layer, const DiffuseShare& diffuse, const SunDirection& sun,
                     bool sunlit, bool leaping, int threads) {
-    CloudMarch march = march_through(
-        *layer.medium, {layer.step_m, layer.light_step_m, layer.reach_m, leaping, sunlit}, diffuse,
-        layer.solved, sun, threads);
-    if (layer.fades) {
-        march.fade_from_m = static_cast<float>(kFadeFrom * layer.reach_m);
-        march.fade_to_m = static_cast<float>(layer.reach_m);
-    }
-    return march;
+    return march_through(*layer.medium,
+                         {layer.step_m, layer.light_step_m, layer.reach_m, leaping, sunlit},
+                         diffuse, layer.solved, sun, threads);
 }
 
 std::vector<PixelSample> all_pixels(const Image2<float>& image) {

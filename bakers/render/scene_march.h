@@ -26,8 +26,6 @@ struct SceneLayer {
     double step_m = 1;                    // along rays
     double light_step_m = 1;              // towards the sun
     double reach_m = 1;                   // of rays from the camera
-    // The layer fades to nothing from kFadeFrom of the reach on, and does not end at it.
-    bool fades = false;
     // Marches towards the sun from within the layer have kNearLight steps of light_step_m; then their steps are so
     // many times longer, through means over boxes as long as the steps (coarse_medium), and after as many again so
     // many times longer. 1: all steps are equal.
@@ -41,9 +39,6 @@ inline constexpr int kLightGrowth = 2;
 inline constexpr int kNearLight = 24;
 // The same where the rest is looked up in the cells of solved light.
 inline constexpr int kNearSolvedLight = 6;
-
-// The share of the reach from which on a layer fades.
-inline constexpr double kFadeFrom = 0.67;
 
 // The pixels that have kSamples samples and not one: those with grain or edges of clouds, or all.
 enum class Refinement { none, thin, all };

@@ -118,6 +118,20 @@ CloudAir::Range range_of(const SceneFrame& frame, double reach_m) {
     return range;
 }
 
+// Returns the slope of rays from above all layers that touch the highest one's top where that is round. Flat
+// layers go on beyond it. From below, no ray has a greater slope.
+double limb_slope(const Shell& shell, const std::vector<SceneLayer>& layers,
+                  const CloudCamera& camera) {
+    double top_m = 0;
+    for (const SceneLayer& layer : layers) {
+        top_m = std::max(top_m, layer.medium->base_m + layer.medium->extent_m[2]);
+    }
+    if (camera.position_m.z <= top_m) return 1;
+    const double cosine = (shell.ground_radius_km + top_m / 1000) /
+                          (shell.ground_radius_km + camera.position_m.z / 1000);
+    return -std::sqrt(1 - cosine * cosine);
+}
+
 // Calculates the radiance of a layer in a pixel from the results of its march.
 Spectrum cloud_radiance(const CloudIllumination& light, const float* seen) {
     return light.sun_at_base * double{seen[0]} + light.sun_at_top * double{seen[1]} +
@@ -202,6 +216,7 @@ CloudView SceneRenderer::render(const SceneFrame& frame, int threads, Progress* 
     view.fetches = marched.fetches;
     view.refined_pixels = marched.refined_pixels;
     view.radiance = Image2<float>(frame.width, frame.height, channels);
+    const double limb = limb_slope(shell_of(atmosphere_.medium.air), layers_, frame.camera);
     parallel_for(frame.height, threads, [&](int y) {
         for (int x = 0; x < frame.width; ++x) {
             const glm::dvec3 ray = rays.through(x, y);
@@ -212,7 +227,10 @@ CloudView SceneRenderer::render(const SceneFrame& frame, int threads, Progress* 
             if (frame.ground && ray.z < 0) {
                 ground *= ground_share(double{seen[marched.results.channels - 1]});
             }
-            const Spectrum light = radiance(air, bearing_of(ray), ground, seen);
+            const Bearing bearing = bearing_of(ray);
+            const Spectrum light = ray.z > limb
+                                       ? air.along(bearing.elevation, bearing.azimuth, 0).sky
+                                       : radiance(air, bearing, ground, seen);
             for (int c = 0; c < channels; ++c) {
                 view.radiance.texel(x, y)[c] =
                     static_cast<float>(light[static_cast<std::size_t>(c)]);

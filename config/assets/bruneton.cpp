@@ -45,7 +45,7 @@ const Row<BrunetonBake> bruneton_table[] = {
      "transmittance, [64, 16, 1] of irradiance",
      texel_range, Cited{bruneton_2017}},
     {"nu_size", Kind::integer, &BrunetonBake::nu_size,
-     "number of angles between view and sun, side by side along u", Range{1, 1024}, Default{"8"},
+     "number of angles between view and sun, side by side along u", Range{2, 1024}, Default{"8"},
      When{"table", by_nu}, Cited{bruneton_2017}},
     {"combined", Kind::flag, &BrunetonBake::combined,
      "whether A holds the Mie layers' first order, red alone, as takram's loader expects, for "
@@ -139,7 +139,7 @@ void check_nu(const DecodedSection& bake, const VoxelCounts& size, Decoder& deco
     const std::optional<int> nu_size = bake.whole("nu_size");
     if (!nu_size || (*nu_size >= 2 && size[0] % *nu_size == 0 && size[0] / *nu_size >= 2)) return;
     decoder.diagnostics.error("E0142", bake.place_of("size"),
-                              fmt::format("`{}` does not divide {} texels into sub-images: {}",
+                              fmt::format("`{}` cannot part {} texels into {} sub-images",
                                           join_path(bake.path, "nu_size"), size[0], *nu_size),
                               "it needs at least two sub-images, each of at least two texels");
 }

@@ -45,7 +45,8 @@ const Row<OpticalDepthBake> optical_depth_table[] = {
      "1] of the others",
      texel_range},
     {"kinds", Kind::text_list, &OpticalDepthBake::kinds,
-     "one to four layers of the atmosphere, each a channel; by default all of them",
+     "one to four layers of the atmosphere, each a channel (a third of zeros after two); by "
+     "default all of them",
      Hint{"for example [\"air\", \"dust\", \"fog\", \"rain\"]"}},
     {"coordinates", Kind::choice, &OpticalDepthBake::coordinates, "how the two points are given",
      coordinates_choices, Default{R"("altitudes")"}, When{"table", "between"}, Cited{ai_2014}},

@@ -158,7 +158,7 @@ const Row<Cloud> cloud_table[] = {
      KeyFlag::only_shown},
     {"coverage", Kind::fraction, &Cloud::coverage,
      "how much cloud the noise leaves: 1 keeps all of it, lower values thin it out; at 0 only "
-     "towers taller than 1 remain",
+     "noise and towers above 1 remain",
      unit_range, Default{"1"},
      Hint{"a cloud that grows loses the share 1 - coverage of `full_water_g_per_kg` everywhere, "
           "edges first"},

@@ -233,6 +233,7 @@ TEST(PreviewCommand, RefusesWhatCannotGoTogether) {
         {cloud, "--camera", "position=1km,2km"},
         {cloud, "--camera", "position=1,2,3"},
         {cloud, "--camera", "position=1km,2km,-1m"},
+        {cloud, "--camera", "position=1km,2km,101km"},  // above the air
         {cloud, "--at", "18:30", "--place", "47.4,8.5"},
         {cloud, "--at", "2026-06-21 18:30"},
         {cloud, "--place", "47.4,8.5"},

@@ -58,7 +58,7 @@ TEST(EnvironmentLayers, AreTheMeansOfSlowMarches) {
     for (std::size_t l = 0; l < media.size(); ++l) {
         const MarchSteps steps = usual_steps(media[l], {35, 70});
         layers.push_back(
-            {&media[l], steps.step_m, steps.light_step_m, steps.reach_m, false, 1, &lights[l]});
+            {&media[l], steps.step_m, steps.light_step_m, steps.reach_m, 1, &lights[l]});
     }
     CloudCamera camera;
     camera.position_m = {130, 420, 100};

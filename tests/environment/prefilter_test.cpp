@@ -267,6 +267,20 @@ TEST(SphereHarmonics, IrradianceOfWhiteIsPi) {
     }
 }
 
+// The horizon passes through the middle row of a map and along the diagonals of a square.
+TEST(SphereHarmonics, TexelsOnTheHorizonAreLitByTheirUpperHalf) {
+    for (const MappingCase& of :
+         {MappingCase{config::EnvironmentMapping::longitude_latitude, {6, 3}},
+          {config::EnvironmentMapping::longitude_latitude, {22, 11}},
+          {config::EnvironmentMapping::octahedral, {8, 8}},
+          {config::EnvironmentMapping::equal_area, {2, 2}},
+          {config::EnvironmentMapping::equal_area, {8, 8}}}) {
+        const EnvironmentLayout layout(of.mapping, of.size);
+        const Image2<float> white = map_of(layout, [](const glm::dvec3&) { return 1; });
+        EXPECT_NEAR(level_irradiance(white, layout)[0], kPi, 0.02 * kPi) << of.size[0];
+    }
+}
+
 }  // namespace
 
 }  // namespace skybake

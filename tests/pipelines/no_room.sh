@@ -112,7 +112,8 @@ sys.stdout.buffer.write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBB
 cloud='[noise.n.channels.Y]\ntype = "worley"\n[clouds.c]\nnoise = "n"\nextent = ["1 km", "1 km", "1 km"]'
 cloud+='\ncoverage_map.file = "map.png"\n[bake.v]\nasset = "cloud_volume"\ncloud = "c"\nsize = [16, 16, 16]'
 for keys in "$cloud" '[bake.transmittance]\nsize = [2048, 1024]' '[bake.transmittance]\nmax_error = 1e-4' \
-    '[bake.multiple_scattering]\nmax_error = 0.05' '[bake.sky_view]\nsun_elevations = ["9 deg"]\n[bake.irradiance]'; do
+    '[bake.multiple_scattering]\nmax_error = 0.05' '[bake.sky_view]\nsun_elevations = ["9 deg"]\n[bake.irradiance]' \
+    '[bake.bruneton]\nsize = [256, 128, 32]\nnu_size = 16'; do
     printf 'preset = "earth"\nwavelengths = "best 4"\n%b\n' "$keys" >memory.toml
     for threads in 1 16; do
         command=("$program" bake memory.toml -o memory -q -j "$threads")

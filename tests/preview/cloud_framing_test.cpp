@@ -88,6 +88,19 @@ double farthest_corner_in_picture(const CloudBox& box, const CloudViewSettings& 
     return farthest;
 }
 
+// A layer ends close to the horizon of any camera, or after 256 tiles.
+TEST(CloudFraming, ReachesTheHorizonFromAnyAltitude) {
+    for (const double altitude_m : {100.0, 10e3, 20e3, 90e3}) {
+        CameraRequest request;
+        request.position_m = {0, 0, altitude_m};
+        const auto settings = framed_view(tower(1000, true), {40, 0}, 64, 36, request);
+        const double ends_below = std::fabs(altitude_m - 1800) / settings.reach_m;
+        const bool all_tiles = settings.reach_m == 256 * 3200.0;
+        EXPECT_TRUE(all_tiles || ends_below < std::sin(1.51 / 57.2957795)) << altitude_m;
+        EXPECT_EQ(all_tiles, altitude_m == 90e3);
+    }
+}
+
 TEST(CloudFraming, HasAllOfASingleTileInThePictureAndMostOfThePictureFilled) {
     for (const double base_m : {0.0, 3000.0}) {
         const CloudMedium medium = tower(base_m, false);

@@ -26,10 +26,9 @@ TEST(CloudSteps, ASlabLetsThroughWhatBeerSaysAtAnyGrowth) {
     const CameraRays rays(frame.camera, frame.width, frame.height);
     for (const double growth : {0.0, 0.1, 1.0, 6.0}) {
         frame.step_growth = growth;
-        const Image2<float> seen =
-            SceneMarch({{&slab, 2, 20, 30000, false}}, {40, 70}, false, true, 1)
-                .march(frame, 1, nullptr)
-                .results;
+        const Image2<float> seen = SceneMarch({{&slab, 2, 20, 30000}}, {40, 70}, false, true, 1)
+                                       .march(frame, 1, nullptr)
+                                       .results;
         double mean = 0;
         double least_steps = 1e9;
         testing::for_each_texel(frame.width, frame.height, [&](int x, int y) {
@@ -55,7 +54,7 @@ TEST(CloudSteps, GrowingStepsTowardsTheSunMissNothingOfASlab) {
     for (const double elevation : {70.0, 40.0}) {
         const auto light_with = [&](int growth) {
             const Image2<float> seen =
-                SceneMarch({{&slab, 10, 10, 30000, false, growth}}, {elevation, 70}, true, true, 1)
+                SceneMarch({{&slab, 10, 10, 30000, growth}}, {elevation, 70}, true, true, 1)
                     .march(frame, 1, nullptr)
                     .results;
             double sum = 0;
@@ -101,8 +100,7 @@ TEST(CloudSteps, SolvedDepthsGoOnWhereNearMarchesEnd) {
         const auto solved = within.under(sun, options);
         ASSERT_TRUE(solved);
         const auto seen_with = [&](int growth) {
-            return SceneMarch({{&layer, 20, 20, 30000, false, growth, &*solved}}, sun, true, true,
-                              1)
+            return SceneMarch({{&layer, 20, 20, 30000, growth, &*solved}}, sun, true, true, 1)
                 .march(frame, 1, nullptr)
                 .results;
         };
@@ -143,7 +141,7 @@ NamedPicture picture_with(const CloudMedium& layer, const MarchSteps& steps, dou
     frame.refinement = Refinement::all;
     frame.step_growth = growth;
     const SunDirection sun = {25, 150};
-    SceneRenderer renderer({{&layer, steps.step_m, steps.light_step_m, 40000, false, light_growth}},
+    SceneRenderer renderer({{&layer, steps.step_m, steps.light_step_m, 40000, light_growth}},
                            {earth().medium, earth().tables}, sun, 1);
     const CloudView view = renderer.render(frame, 1);
     return {view.radiance, view.fetches.samples + view.fetches.light_samples};

@@ -87,7 +87,7 @@ TEST(GroundShadow, OfOneTileIsThatOfItsBox) {
 // A tile alone darkens the ground in its shadow, and leaves all other ground as it is.
 TEST(GroundShadow, OfOneTileLeavesOtherGroundAlone) {
     const CloudMedium medium = slab(false);
-    const std::vector<SceneLayer> tile = {{&medium, 20, 20, 8000, false}};
+    const std::vector<SceneLayer> tile = {{&medium, 20, 20, 8000}};
     const SunDirection sun = {60, 205};
     SceneFrame frame = looking_down({6000, 6000, 500});
     const Image2<float> beside = picture_of(tile, sun, frame);
@@ -114,7 +114,7 @@ TEST(GroundShadow, BeyondTheReachIsTheMean) {
     const SunDirection sun = {90, 0};
     SceneFrame frame = looking_down({0, 0, 900});
     frame.camera.elevation_degrees = -7;
-    const SceneMarch march({{&layer, 20, 20, 3000, false}}, sun, true, true, 1);
+    const SceneMarch march({{&layer, 20, 20, 3000}}, sun, true, true, 1);
     // Beside 15 voxels of each, density falls linearly over one. The mean is taken at 32 points, of which
     // each edge may miss half a one.
     const double depth = 0.01 * 400;

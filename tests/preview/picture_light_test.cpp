@@ -1,6 +1,7 @@
 // The light of pictures of clouds: the solved sky behind them, made once for all that show it.
 #include "bakers/preview/picture_light.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -85,6 +86,22 @@ TEST(PictureLight, CloudsStandBeforeTheSolvedSky) {
             EXPECT_GT(largest_error(sky, nullptr, camera, sun), 0.05)
                 << "the tables alone would pass this test";
         }
+    }
+}
+
+// Presets state four wavelengths and a space of colours, in which sky views are stored. Pictures mix spectra.
+TEST(PictureLight, SkiesHaveTheChannelsOfTheirTables) {
+    for (const char* preset : {"earth", "mars", "earth_hillaire"}) {
+        const config::Recipe recipe = test::recipe_of(fmt::format("preset = \"{}\"\n", preset));
+        PictureLight light;
+        const auto tables = light.tables(&recipe, one_thread);
+        const auto sky = light.sky(&recipe, {0.1, 30}, one_thread);
+        ASSERT_TRUE(tables.value && sky) << preset;
+        EXPECT_EQ(sky->channels(), static_cast<int>(recipe.parameters.wavelengths.size()))
+            << preset;
+        const PreviewAsset& transmittance = *tables.value->of_kind("transmittance");
+        EXPECT_EQ(transmittance.entry.channels.size(), recipe.parameters.wavelengths.size())
+            << preset;
     }
 }
 

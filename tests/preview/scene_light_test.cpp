@@ -101,7 +101,7 @@ void expect_parts(const LitScene& scene) {
     std::vector<CloudMedium> media;
     for (const test::Slab& slab : scene.slabs) media.push_back(slab.medium());
     std::vector<SceneLayer> layers;
-    for (const CloudMedium& medium : media) layers.push_back({&medium, 2.5, 5, 40000, false});
+    for (const CloudMedium& medium : media) layers.push_back({&medium, 2.5, 5, 40000});
     SceneFrame frame{kWidth, kHeight, scene.camera, Refinement::all, true};
     frame.camera.horizontal_field_degrees = 18;
     SceneRenderer renderer(layers, {hazy().medium, hazy().tables}, scene.sun, 1);

@@ -30,7 +30,7 @@ TEST(SceneRefinement, RemovesGrain) {
     const auto rms_with = [&](Refinement refinement) {
         SceneFrame frame = frame_of(48, 32);
         const auto march = [&](double step_m) {
-            return SceneMarch({{&thin, step_m, step_m, 9000, false}}, sun, true, true, 1)
+            return SceneMarch({{&thin, step_m, step_m, 9000}}, sun, true, true, 1)
                 .march(frame, 1, nullptr)
                 .results;
         };
@@ -78,7 +78,7 @@ struct OneSample {
 // Each pixel has the bits of the picture with one sample everywhere or of that with four. Returns the share
 // of pixels that have four.
 double refined_share(const CloudMedium& medium) {
-    const SceneMarch march({{&medium, 20, 20, 9000, false}}, {40, 80}, true, true, 1);
+    const SceneMarch march({{&medium, 20, 20, 9000}}, {40, 80}, true, true, 1);
     const auto marched = [&](Refinement refinement) {
         SceneFrame frame = frame_of(96, 64);
         frame.refinement = refinement;
@@ -115,7 +115,7 @@ TEST(SceneRefinement, TakesFourSamplesWhereOneShowsGrainOrEdges) {
 // each of 8 by 8 parts of the pixel shows.
 TEST(SceneRefinement, SamplesLieWithinTheirPixel) {
     const CloudMedium medium = clumps({1800, 1800, 500}, {18, 18, 5}, 0.35, 0.02);
-    const SceneMarch march({{&medium, 4, 20, 9000, false}}, {40, 80}, false, true, 1);
+    const SceneMarch march({{&medium, 4, 20, 9000}}, {40, 80}, false, true, 1);
     constexpr int kParts = 8;
     SceneFrame frame = frame_of(24, 16);
     frame.refinement = Refinement::all;

@@ -27,8 +27,8 @@ TEST(SceneView, TransparentLayersGiveTheClearSky) {
     for (const double elevation : {60.0, 5.0, 0.0, -4.0}) {
         SceneFrame frame = frame_from({0, 0, 300}, 0, 96, 72);
         frame.ground = true;
-        const Image2<float> made = picture_of(
-            {{&low, 40, 40, 9000, false}, {&high, 40, 40, 9000, false}}, {elevation, 80}, frame);
+        const Image2<float> made =
+            picture_of({{&low, 40, 40, 9000}, {&high, 40, 40, 9000}}, {elevation, 80}, frame);
         const CameraRays rays(frame.camera, frame.width, frame.height);
         for (int y = 6; y < frame.height; y += 12) {
             for (int x = 6; x < frame.width; x += 12) {
@@ -71,7 +71,7 @@ TEST(SceneView, GroundUnderAnOvercastHasTheLightThatPasses) {
     for (const double tau : {8.0, 40.0}) {
         const CloudMedium slab = medium_of({1000, 1000, height}, 1000, {4, 4, 64},
                                            std::vector<float>(4 * 4 * 64, 1.0F), tau / height);
-        const std::vector<SceneLayer> layers = {{&slab, 10, 10, 9000, false}};
+        const std::vector<SceneLayer> layers = {{&slab, 10, 10, 9000}};
         SceneFrame frame = frame_from({0, 0, 2}, -40, 8, 6);
         frame.ground = true;
         const SunDirection sun = {30, 80};
@@ -92,7 +92,7 @@ TEST(SceneView, ShadowsLieUnderTheirClouds) {
     std::vector<float> voxels(16 * 4 * 4, 0.0F);
     for (std::size_t i = 0; i < voxels.size(); ++i) voxels[i] = i % 16 < 8 ? 1.0F : 0.0F;
     const CloudMedium block = medium_of({1600, 1600, 400}, 1000, size, voxels, 0.1);
-    const SceneMarch march({{&block, 10, 10, 9000, false}}, {90, 0}, true, true, 1);
+    const SceneMarch march({{&block, 10, 10, 9000}}, {90, 0}, true, true, 1);
     // Beside seven clear voxels, the density falls linearly from 1 to 0 over one on each side, where the
     // mean of exp(-40 v) is 1 / 40. The mean is taken at 32 points.
     EXPECT_NEAR(march.direct(0), (7 + 2.0 / 40) / 16, 0.5 / 32);

@@ -60,7 +60,7 @@ TEST(SceneView, CopiesOfTilesAreTheirDefinition) {
 TEST(SceneView, CopiesOfTilesDiffer) {
     for (const bool varied : {false, true}) {
         const ThreeLayers three(varied);
-        const std::vector<SceneLayer> layers = {{&three.low, 20, 20, 8000, false}};
+        const std::vector<SceneLayer> layers = {{&three.low, 20, 20, 8000}};
         const SceneMarch march(layers, {35, 200}, true, true, 1);
         const auto from = [&](double x_m) {
             return march.march(frame_from({x_m, 50, 100}, 45, 24, 16), 1, nullptr).results;
@@ -140,9 +140,9 @@ TEST(SceneView, AnEmptyLayerChangesNothing) {
         medium_of({900, 900, 400}, 700, {3, 3, 3}, std::vector<float>(27, 0.0F));
     SceneFrame frame = frame_from({100, 50, 100}, 5, 24, 16);
     frame.ground = true;
-    const Image2<float> alone = picture_of({{&three.low, 20, 20, 8000, false}}, {20, 80}, frame);
-    const Image2<float> both = picture_of(
-        {{&empty, 30, 30, 9000, false}, {&three.low, 20, 20, 8000, false}}, {20, 80}, frame);
+    const Image2<float> alone = picture_of({{&three.low, 20, 20, 8000}}, {20, 80}, frame);
+    const Image2<float> both =
+        picture_of({{&empty, 30, 30, 9000}, {&three.low, 20, 20, 8000}}, {20, 80}, frame);
     // The air's table spans the farther reach.
     EXPECT_LT(greatest_difference(alone, both), 2e-4);
 }
@@ -158,6 +158,40 @@ TEST(SceneView, KeepsOnlyWhatCamerasShare) {
                                   picture_of(three.layers(20), {20, 80}, frame)));
         }
     }
+}
+
+// The layer is flat, and the planet is not: no cloud stands above the horizon that it would have.
+TEST(SceneView, NoCloudStandsAboveItsHorizon) {
+    const CloudMedium full = medium_of({900, 900, 400}, 700, {3, 3, 3}, std::vector<float>(27, 1));
+    const CloudMedium empty = medium_of({900, 900, 400}, 700, {3, 3, 3}, std::vector<float>(27, 0));
+    SceneFrame frame = frame_from({100, 50, 60e3}, -7.5, 2, 64);
+    frame.camera.horizontal_field_degrees = 0.5;  // 16 degrees high: from 0.5 to -15.5
+    const auto picture = [&](const CloudMedium& medium) {
+        return picture_of({{&medium, 300, 300, 2e6}}, {20, 80}, frame);
+    };
+    const Image2<float> clouds = picture(full), clear = picture(empty);
+    int cloudy = 0;
+    for (int y = 0; y < 64; ++y) {
+        const double elevation = CameraRays(frame.camera, 2, 64).through(0, y).z;
+        const bool differs = std::fabs(clouds.texel(0, y)[0] / clear.texel(0, y)[0] - 1) > 0.02F;
+        // arccos((6360 + 1.1) / (6360 + 60)) = 7.77 degrees
+        if (elevation > -0.1352) {
+            EXPECT_FALSE(differs) << y;
+        } else {
+            cloudy += differs;
+        }
+    }
+    EXPECT_GT(cloudy, 16);
+}
+
+// Clouds below the ground are hidden by it, and clouds that reach below it end there.
+TEST(SceneView, TheGroundHidesWhatIsBelow) {
+    const std::vector<float> ones(27, 1);
+    const CloudMedium buried = medium_of({900, 900, 400}, -700, {3, 3, 3}, ones);
+    const RaySpan span = span_in_layer(buried, {0, 0, 300}, {0, 0, -1}, 8000);
+    EXPECT_LT(span.last_m, span.first_m);
+    const CloudMedium half = medium_of({900, 900, 400}, -100, {3, 3, 3}, ones);
+    EXPECT_EQ(span_in_layer(half, {0, 0, 500}, {0, 0, -1}, 8000).last_m, 500);
 }
 
 }  // namespace

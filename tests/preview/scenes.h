@@ -28,9 +28,9 @@ struct ThreeLayers {
         }
     }
     std::vector<SceneLayer> layers(double step_m) const {
-        return {{&low, step_m, step_m, 8000, false},
-                {&overlapping, step_m, step_m, 8000, false},
-                {&high, step_m, step_m, 8000, false}};
+        return {{&low, step_m, step_m, 8000},
+                {&overlapping, step_m, step_m, 8000},
+                {&high, step_m, step_m, 8000}};
     }
 };
 

@@ -99,6 +99,25 @@ TEST(SunLeaps, SeeFartherThanTheNearestCell) {
     EXPECT_EQ(at(4, 4, 0), 100);
 }
 
+// A tile that stands alone is lit from the side by a sun on the horizon as by one just above and below it.
+TEST(LightInCloud, GoesOnThroughTheHorizon) {
+    constexpr std::array<int, 3> kSize = {12, 12, 10};
+    CloudMedium medium =
+        test::medium_of({1000, 1000, 800}, 500, kSize, test::clumped_voxels(kSize, 7, 0.5), 0.01);
+    medium.repeats = false;
+    const BakeOptions options{.threads = 2};
+    const cloud_light::MarchLight within(medium, cloud_light::kCellsOfPicture, options);
+    const auto above = within.under({0.01, 50}, options), on = within.under({0, 50}, options);
+    ASSERT_TRUE(above && on);
+    double greatest = 0, largest = 0;
+    for (std::size_t i = 0; i < on->values.size(); ++i) {
+        greatest = std::max(greatest, std::fabs(double{above->values[i]}));
+        largest = std::max(largest, std::fabs(double{on->values[i]} - double{above->values[i]}));
+    }
+    EXPECT_GT(greatest, 0.05);
+    EXPECT_LT(largest, 0.01 * greatest);
+}
+
 // Lookups of solved light, place by place, against their definition in double.
 
 // Places anywhere in an uneven cloud, beyond the middles of its outermost cells too, seen from all around; among

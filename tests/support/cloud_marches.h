@@ -16,7 +16,7 @@ struct MarchSettings : CloudViewSettings {
     const LightInCloud* solved = nullptr;  // null: the light of octaves
 
     SceneLayer layer(const CloudMedium& medium) const {
-        return {&medium, step_m, light_step_m, reach_m, false, 1, solved};
+        return {&medium, step_m, light_step_m, reach_m, 1, solved};
     }
     SceneFrame frame() const { return {width, height, camera}; }
 };

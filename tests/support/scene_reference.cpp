@@ -120,6 +120,14 @@ double reference_depth(const std::vector<SceneLayer>& layers, const SunDirection
     return sum;
 }
 
+// Layers that repeat fade smoothly over the last 33 % of their reach.
+double not_faded(const SceneLayer& layer, double distance_m) {
+    const double left = 1 - distance_m / layer.reach_m;
+    if (!layer.medium->repeats) return left >= 0 ? 1 : 0;
+    const double x = std::clamp(left / 0.33, 0.0, 1.0);
+    return 3 * x * x - 2 * x * x * x;
+}
+
 ReferenceScene reference_scene(const std::vector<SceneLayer>& layers, const SunDirection& sun,
                                const CloudCamera& camera, const glm::dvec3& direction, int steps) {
     ReferenceScene scene;
@@ -146,7 +154,7 @@ ReferenceScene reference_scene(const std::vector<SceneLayer>& layers, const SunD
         double whole = 0;
         for (const SceneLayer& layer : layers) {
             const double met = layer.solved != nullptr ? layer.solved->share : 1;
-            sigma.push_back(t <= layer.reach_m ? met * reference_extinction(*layer.medium, at) : 0);
+            sigma.push_back(met * not_faded(layer, t) * reference_extinction(*layer.medium, at));
             whole += sigma.back();
         }
         if (whole == 0) continue;

@@ -52,8 +52,10 @@ Estimate estimate(const Parameters& parameters, const BrunetonBake& asset) {
     if (has_light) result.seconds += kSecondsToSolve;
     const auto packets = static_cast<double>(light_packets(parameters).size());
     result.seconds *= packets;
-    constexpr double kBytesPerVoxel = 4 * sizeof(float);  // all are held
-    result.memory_mib += packets * voxels_of(asset.size, 1) * kBytesPerVoxel / kMebibyte;
+    // All are held, with their first and higher orders apart, while the next orders are made of them.
+    const double copies = asset.size[2] > 1 ? 4 : 1;
+    const double bytes = copies * 4 * sizeof(float) * voxels_of(asset.size, 1);
+    result.memory_mib += packets * bytes / kMebibyte;
     return result;
 }
 

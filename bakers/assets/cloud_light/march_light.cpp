@@ -199,9 +199,9 @@ std::optional<LightInCloud> MarchLight::under(const SunDirection& sun,
                                               const BakeOptions& options) const {
     const bool repeats = margin_[0] == 0;
     const bool is_below = sun.elevation_degrees < 0;
-    const double height = std::fabs(sun.elevation_degrees);
+    constexpr double kGrazing_deg = 1e-3;  // a tile that stands alone is lit from the side
+    const double height = std::max(std::fabs(sun.elevation_degrees), repeats ? 0 : kGrazing_deg);
     const double solved_height = repeats ? std::max(height, kLowestSolvedSun_deg) : height;
-    if (solved_height == 0) return std::nullopt;
     LayerSources source;
     source.sun = 1;
     source.sun_direction = direction_of(solved_height, sun.azimuth_degrees);

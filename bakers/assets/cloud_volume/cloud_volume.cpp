@@ -157,10 +157,13 @@ Baked describe(const Cloud& recipe_cloud, const CloudVolumeBake& bake, const Clo
 }
 
 // Warns (W0215) of a volume in which no column holds cloud.
-std::optional<Diagnostic> empty_volume(const Baked& volume) {
+std::optional<Diagnostic> empty_volume(const Cloud& cloud, const Baked& volume) {
     if (number_named(volume.details, covered_columns).value_or(1) > 0) return std::nullopt;
+    const bool has_grown = cloud.shape == config::CloudShape::convection;
     return diagnosis("W0215", fmt::format("`{}` is empty: no voxel holds cloud", volume.name),
-                     "raise the coverage, or ask for a share of the sky: cover = \"40 %\"");
+                     has_grown
+                         ? "let it grow for more minutes, above more, wider or warmer patches"
+                         : "raise the coverage, or ask for a share of the sky: cover = \"40 %\"");
 }
 
 // Warns (W0230) of a cloud that has grown up to the top of its box. It shows where more than this share of the
@@ -179,11 +182,10 @@ std::optional<Diagnostic> cut_by_top(const Cloud& cloud, const Baked& volume) {
     const auto cut = std::ranges::count_if(densities, [](float density) { return density > 0; });
     const double share = static_cast<double>(cut) / static_cast<double>(densities.size()) / covered;
     if (share <= kSeenCut) return std::nullopt;
-    return diagnosis(
-        "W0230",
-        fmt::format("`{}` is cut flat by the top of its box in {:.2g} % of its columns",
-                    volume.name, 100 * share),
-        "raise the last number of its extent, of its cells and of this size", "size");
+    return diagnosis("W0230",
+                     fmt::format("`{}` is cut flat by the top of its box in {:g} % of its columns",
+                                 volume.name, to_digits(100 * share, 2)),
+                     "raise the last number of its extent, of its cells and of this size", "size");
 }
 
 // Replaces the voxels on demand of a volume by voxels in memory, if there is room for them.
@@ -271,7 +273,7 @@ Outcome<Baked> bake_cloud_volume(const Cloud& cloud, const CloudVolumeBake& bake
         options);
     if (!finished.value) return finished;
     for (const auto& warning :
-         {empty_volume(*finished.value), cut_by_top(cloud, *finished.value)}) {
+         {empty_volume(cloud, *finished.value), cut_by_top(cloud, *finished.value)}) {
         if (warning) finished.diagnostics.push_back(*warning);
     }
     return finished;

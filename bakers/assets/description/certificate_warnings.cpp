@@ -45,6 +45,7 @@ std::string steps_text(const Baked& baked) {
 }
 
 std::string advice_on_texels(const Baked& baked) {
+    if (baked.kind == "cloud_distance") return "use a smaller cell";
     if (const std::string steps = steps_text(baked); !steps.empty()) return steps;
     if (baked.kind == "multiple_scattering" || baked.kind == "irradiance") {
         return "ask for a smaller max_texel_error";
@@ -52,7 +53,10 @@ std::string advice_on_texels(const Baked& baked) {
     if (config::is_block_coded(baked.pixel_type))
         return "use pixel_type = \"half\": blocks hold few values";
     if (baked.kind == "bruneton") return "use a larger size";
-    if (baked.kind == "cloud_distance") return "use a smaller cell";
+    if (baked.kind == "cloud_light") return "use a smaller cell, or contents that vary less";
+    if (baked.kind == "optical_depth") {
+        return "use more shells, a greater max_altitude, or sampling = \"exact\"";
+    }
     if (baked.kind == "environment") return "use more samples, or layers whose edges fade out";
     return "a larger size does not help, since the texels themselves are off; give layers with "
            "hard edges a profile that fades out";
@@ -86,6 +90,7 @@ std::string advice_on(const std::string& code, const Parameters& parameters, con
     if (code == "W0220") return advice_on_texels(baked);
     if (code == "W0221") return advice_on_sky(baked);
     if (code == "W0222") return advice_on_colors(parameters);
+    if (baked.kind == "phase") return "use a larger size or another spacing";
     return "use a larger size or another mapping, or thicker layers of air";
 }
 

@@ -74,7 +74,7 @@ CloudySky::CloudySky(const SkyLight& light, const SkyViewCamera& camera, double 
       air_model_(wide_sky_model(light, camera, sun, SeenGround::black)),
       sky_(sky_model_, camera, options),
       air_(air_model_, camera, options),
-      depths_(depths_of(light, altitude_km, clouds.reach_m())),
+      depths_(depths_of(light, altitude_km, clouds.reach_m(1000 * altitude_km))),
       channels_(light.medium().air.channels),
       lights_(lights_of(light, sun, clouds, options)) {}
 

@@ -176,7 +176,7 @@ std::vector<InputFile> inputs(const Parameters& parameters, const EnvironmentBak
 }  // namespace
 
 Baker<EnvironmentBake> baker(BakerTag<EnvironmentBake>) {
-    return {.version = 24,
+    return {.version = 25,
             .bake = bake,
             .estimate = estimate,
             .needs = needs,

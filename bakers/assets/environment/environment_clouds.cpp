@@ -72,6 +72,7 @@ std::vector<LayerMarch::Layer> layers_of(std::span<const CloudMedium* const> med
     for (std::size_t l = 0; l < media.size(); ++l) {
         const CloudMedium* medium = media[l];
         MarchSteps steps = usual_steps(*medium, sun_direction_of(bake));
+        steps.reach_m = reach_m_from(*medium, bake.altitude.meters);
         steps.step_m /= finer;
         steps.light_step_m /= finer;
         steps.sunlit = sunlit;
@@ -173,12 +174,12 @@ CloudsAround::CloudsAround(std::span<const CloudMedium> media, const Environment
     });
 }
 
-double CloudsAround::reach_m() const {
-    double reach_m = 0;
+double CloudsAround::reach_m(double altitude_m) const {
+    double farthest = 0;
     for (const CloudMedium* medium : media_) {
-        reach_m = std::max(reach_m, usual_steps(*medium, {}).reach_m);
+        farthest = std::max(farthest, reach_m_from(*medium, altitude_m));
     }
-    return reach_m;
+    return farthest;
 }
 
 void CloudsAround::march_texels(int part, int row, int first, int count) {

@@ -72,7 +72,7 @@ class CloudsAround {
     std::span<const CloudMedium* const> media() const { return media_; }
     // The share of diffuse light that passes a layer.
     double through(std::size_t layer) const { return march_.through(layer); }
-    double reach_m() const;  // of the rays that go farthest
+    double reach_m(double altitude_m) const;  // of the rays that go farthest
 
   private:
     void march_texels(int part, int row, int first, int count);

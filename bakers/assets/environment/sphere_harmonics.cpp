@@ -154,12 +154,26 @@ std::vector<std::array<double, kHarmonics>> harmonics_of(const Image2<float>& ma
 }
 
 std::vector<double> level_irradiance(const Image2<float>& map, const EnvironmentLayout& layout) {
+    // The parts of a texel across and down: the horizon may pass through it.
+    constexpr int kParts = 4;
+    const auto [columns, rows] = layout.part_size();
+    const EnvironmentLayout finer(layout.mapping(),
+                                  {kParts * columns, kParts * rows * layout.parts()});
     std::vector<double> sums(static_cast<std::size_t>(map.channels));
-    for_each_texel(map, layout,
-                   [&](const glm::dvec3& direction, double solid_angle, const float* light) {
-                       if (direction.y <= 0) return;
-                       for (double& sum : sums) sum += solid_angle * direction.y * double{*light++};
-                   });
+    for (int part = 0; part < layout.parts(); ++part) {
+        for (int y = 0; y < kParts * rows; ++y) {
+            for (int x = 0; x < kParts * columns; ++x) {
+                const double height = finer
+                                          .direction(part, (x + 0.5) / (kParts * columns),
+                                                     (y + 0.5) / (kParts * rows))
+                                          .y;
+                if (height <= 0) continue;
+                const double weight = height * finer.solid_angle(part, x, y);
+                const float* light = map.texel(x / kParts, part * rows + y / kParts);
+                for (double& sum : sums) sum += weight * double{*light++};
+            }
+        }
+    }
     return sums;
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <exception>
 #include <map>
@@ -134,10 +135,25 @@ std::string place_of(const FileVoxels& file) {
                        fmt::join(file.index_origin, ", "));
 }
 
+// Whether voxels lie at the same places but for rounding.
+bool are_at_same_places(const FileVoxels& first, const FileVoxels& second) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double edge_m = first.voxel_size[i];
+        const double origin_m = first.index_origin[i];
+        const double rounding_m = 1e-6 * edge_m + 1e-7 * std::fabs(origin_m);
+        if (!(std::fabs(second.voxel_size[i] - edge_m) <= 1e-6 * edge_m) ||
+            !(std::fabs(second.index_origin[i] - origin_m) <= rounding_m)) {
+            return false;
+        }
+    }
+    return true;
+}
+
 // Why the voxels of two grids are not compared, in words, or "". `box` becomes that of both.
 std::string apart(const FileVoxels& first, const FileVoxels& second, VoxelBox& box) {
-    const std::string place = place_of(first);
-    if (place != place_of(second)) return fmt::format("{} against {}", place, place_of(second));
+    if (!are_at_same_places(first, second)) {
+        return fmt::format("{} against {}", place_of(first), place_of(second));
+    }
     for (std::size_t i = 0; i < 3; ++i) {
         const std::int64_t begin = std::min(first.first[i], second.first[i]);
         const std::int64_t end = std::max(std::int64_t{first.first[i]} + first.size[i],

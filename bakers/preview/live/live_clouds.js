@@ -54,12 +54,12 @@ class LiveClouds {
         const [x, y, height] = cloud.tile, longest = view.single ? Math.hypot(x, y) : Math.max(x, y);
         const slope = Math.abs(sun[2]), march = slope * longest > height ? height / slope : longest;
         const step = coarse * cloud.step, sun_step = Math.max(coarse * cloud.voxel_edge, march / cloud.most_sun_samples);
-        const reach = view.single ? 1e6 : this.reach_of(cloud, view), fades = !view.single && cloud.fade_from !== null;
+        const reach = view.single ? 1e6 : this.reach_of(cloud, view);
         return {step, sun_step, sun_samples: Math.ceil(march / sun_step), reach,
-            fade: fades ? [cloud.fade_from * reach, reach] : [0, 0]};
+            fade: view.single ? [0, 0] : [cloud.fade_from * reach, reach]};
     }
 
-    // A layer that fades ends close to the horizon (framed_scene of bakers/render/cloud_framing.h).
+    // The reach_m_from of bakers/march/layer_march.h.
     reach_of({base, tile, reach, farthest_reach, end_slope}, {position}) {
         const height = Math.abs(base + 0.5 * tile[2] - position[2]);
         return Math.max(reach, Math.min(height / end_slope, farthest_reach));

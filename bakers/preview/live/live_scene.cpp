@@ -67,9 +67,9 @@ Json cloud_json(const LiveCloud& cloud, const SceneLayer& layer, double greatest
             {"voxel_edge", voxel_edge_m(medium)},
             {"most_sun_samples", kSunSamples},
             {"reach", medium.repeats ? usual_steps(medium, {}).reach_m : 1e6},
-            {"farthest_reach", layer.fades ? farthest_reach_m(medium) : 0},
+            {"farthest_reach", farthest_reach_m(medium)},
             {"end_slope", sine_of_degrees(kEndElevation)},
-            {"fade_from", layer.fades ? Json(kFadeFrom) : Json(nullptr)},
+            {"fade_from", kFadeFrom},
             {"repeats", medium.repeats}};
 }
 
@@ -96,7 +96,7 @@ FramedScene framed_clouds(const std::vector<LiveCloud>& clouds, int width, int h
     if (clouds.size() == 1) {
         const CloudMedium& medium = first.medium;
         const CloudViewSettings view = framed_view(medium, first.sun, width, height, first.camera);
-        return {{{&medium, view.step_m, view.light_step_m, view.reach_m, false}}, view.camera};
+        return {{{&medium, view.step_m, view.light_step_m, view.reach_m}}, view.camera};
     }
     std::vector<const CloudMedium*> media;
     for (const LiveCloud& cloud : clouds) media.push_back(&cloud.medium);

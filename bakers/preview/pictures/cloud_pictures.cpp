@@ -50,7 +50,8 @@ std::string lit_caption(const LitScene& scene, const CloudViewSettings& settings
         "{}. Leaping by {}, each pixel takes {:.0f} lookups of the volume and {:.0f} of the "
         "grid.{}",
         scene.input.single ? "The picture shows one tile alone, with its shadow on the ground"
-                           : "The tile is repeated to the horizon and casts shadows on the ground",
+                           : "The tile is repeated, fades out about 1.5 degrees from the "
+                             "horizontal, and casts shadows on the ground",
         scene.lighting.name, sun_text(settings.sun.elevation_degrees),
         beside_view(settings.sun, settings.camera), sky_text(scene.sky),
         tone_text(exposure, scene.input.tone_curve), camera_text(settings.camera),
@@ -114,8 +115,8 @@ std::optional<double> known_exposure(const CloudPreviewInput& input, std::size_t
 // Returns the layer that is in all views.
 SceneLayer layer_of(const CloudMedium& medium, const std::optional<LightInCloud>& light,
                     const std::vector<CloudViewSettings>& views) {
-    SceneLayer layer = {&medium, views.front().step_m, views.front().light_step_m, 0,
-                        false,   kLightGrowth,         light ? &*light : nullptr};
+    SceneLayer layer = {&medium, views.front().step_m, views.front().light_step_m,
+                        0,       kLightGrowth,         light ? &*light : nullptr};
     for (const CloudViewSettings& view : views) {
         layer.reach_m = std::max(layer.reach_m, view.reach_m);
     }
