@@ -152,10 +152,8 @@ Estimate march_light_estimate(double voxels) {
     constexpr double kFieldsOfSolver = 5;     // of all coefficients
     const double cells = std::min(voxels / 8, kCellsOfPicture);
     const double fields = (kFieldsOfSolver * kMostHarmonics + LightInCloud::kAll + 1) * cells;
-    Estimate result;
-    result.seconds = kSecondsPerCell * cells;
-    result.memory_mib = sizeof(float) * (voxels + fields) / kMebibyte;
-    return result;
+    return {.seconds = kSecondsPerCell * cells,
+            .memory_mib = sizeof(float) * (voxels + fields) / kMebibyte};
 }
 
 MarchLight::MarchLight(const CloudMedium& medium, double most_cells, const BakeOptions& options) {

@@ -41,13 +41,11 @@ struct SkyScene {
 };
 
 SkyView dome_view(const SkyScene& scene, double sun_elevation_degrees, int pixels) {
-    SkyView view;
-    view.projection = SkyProjection::dome;
-    view.width = pixels;
-    view.height = pixels;
-    view.camera_altitude_km = scene.camera_altitude_km;
-    view.sun_elevation_degrees = sun_elevation_degrees;
-    return view;
+    return {.projection = SkyProjection::dome,
+            .width = pixels,
+            .height = pixels,
+            .camera_altitude_km = scene.camera_altitude_km,
+            .sun_elevation_degrees = sun_elevation_degrees};
 }
 
 SkyView panorama_view(const SkyScene& scene, double sun_elevation_degrees) {
@@ -307,12 +305,10 @@ std::vector<Need> needs_of_sky_pictures(const config::Atmosphere& atmosphere) {
 }
 
 SkyPreviewOptions draft_sky_preview() {
-    SkyPreviewOptions options;
-    options.sun_elevations_degrees = {60, 10, 0};
-    options.dome_pixels = 192;
-    options.solved_pixels = 0;
-    options.panorama_pixels = 360;
-    return options;
+    return {.sun_elevations_degrees = {60, 10, 0},
+            .dome_pixels = 192,
+            .solved_pixels = 0,
+            .panorama_pixels = 360};
 }
 
 std::vector<PreviewPicture> sky_pictures(const config::Atmosphere& atmosphere,
