@@ -212,8 +212,7 @@ std::optional<std::vector<float>> values_of(const PreviewAsset& grid, const Occu
     const auto found = std::ranges::find(bake.contents, content);
     if (found == bake.contents.end()) return std::nullopt;
     const auto channel = static_cast<std::size_t>(found - bake.contents.begin());
-    const bool is_share =
-        content == OccupancyContent::leap && occupancy::is_unorm(bake.pixel_type);
+    const bool is_share = content == OccupancyContent::leap && occupancy::is_unorm(bake.pixel_type);
     const float scale = is_share ? 255.0F : 1.0F;
     std::vector<float> values;
     for (std::size_t i = channel; i < grid.voxels.size(); i += bake.contents.size()) {
