@@ -152,8 +152,10 @@ Estimate march_light_estimate(double voxels) {
     constexpr double kFieldsOfSolver = 5;     // of all coefficients
     const double cells = std::min(voxels / 8, kCellsOfPicture);
     const double fields = (kFieldsOfSolver * kMostHarmonics + LightInCloud::kAll + 1) * cells;
-    return {.seconds = kSecondsPerCell * cells,
-            .memory_mib = sizeof(float) * (voxels + fields) / kMebibyte};
+    Estimate result;
+    result.seconds = kSecondsPerCell * cells;
+    result.memory_mib = sizeof(float) * (voxels + fields) / kMebibyte;
+    return result;
 }
 
 MarchLight::MarchLight(const CloudMedium& medium, double most_cells, const BakeOptions& options) {

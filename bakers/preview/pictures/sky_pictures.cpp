@@ -305,10 +305,12 @@ std::vector<Need> needs_of_sky_pictures(const config::Atmosphere& atmosphere) {
 }
 
 SkyPreviewOptions draft_sky_preview() {
-    return {.sun_elevations_degrees = {60, 10, 0},
-            .dome_pixels = 192,
-            .solved_pixels = 0,
-            .panorama_pixels = 360};
+    SkyPreviewOptions options;
+    options.sun_elevations_degrees = {60, 10, 0};
+    options.dome_pixels = 192;
+    options.solved_pixels = 0;
+    options.panorama_pixels = 360;
+    return options;
 }
 
 std::vector<PreviewPicture> sky_pictures(const config::Atmosphere& atmosphere,
