@@ -273,11 +273,16 @@ CloudField::CloudField(CloudPlan plan) : plan_(std::move(plan)) {
 }
 
 void CloudField::fill(const VoxelBox& box, const std::vector<float*>& channels) const {
-    if (!plan_.flow) return BoxFiller(plan_, columns_, box, channels).fill();
+    fill_cloud(plan_, columns_, box, channels);
+}
+
+void fill_cloud(const CloudPlan& plan, const Columns& columns, const VoxelBox& box,
+                const std::vector<float*>& channels) {
+    if (!plan.flow) return BoxFiller(plan, columns, box, channels).fill();
     std::vector<float*> wanted = channels;
     AlignedFloats density(static_cast<std::size_t>(box.count()));
     if (wanted.front() == nullptr) wanted.front() = density.data();
-    BoxFiller(plan_, columns_, box, wanted).fill();
+    BoxFiller(plan, columns, box, wanted).fill();
     for (std::size_t c = 1; c < wanted.size(); ++c) {
         for (std::int64_t i = 0; wanted[c] != nullptr && i < box.count(); ++i) {
             if (!(wanted.front()[i] > 0)) wanted[c][i] = 0;

@@ -23,4 +23,8 @@ class CloudField : public VoxelSource {
     Columns columns_;  // all columns, or none if there are too many to keep
 };
 
+// Fills a box with the cloud of these columns, or of the plan's own where `columns` holds none.
+void fill_cloud(const CloudPlan& plan, const Columns& columns, const VoxelBox& box,
+                const std::vector<float*>& channels);
+
 }  // namespace skybake::cloud

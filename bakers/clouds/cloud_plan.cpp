@@ -198,11 +198,6 @@ double mixed(double a, double b, double fraction) { return a + (b - a) * fractio
 
 }  // namespace
 
-std::array<std::int64_t, 3> CloudPlan::head_of(const std::array<std::int64_t, 3>& voxel) const {
-    if (fall.empty()) return voxel;
-    return {voxel[0] + fall[static_cast<std::size_t>(voxel[2])], voxel[1], size[2] - 1};
-}
-
 void CloudPlan::fill_shape(const VoxelBox& box, const std::vector<float*>& values) const {
     if (volume) {
         if (values.front() != nullptr) volume->fill(box, {values.front()});

@@ -102,8 +102,6 @@ struct CloudPlan {
     // Fills a box with n, in all its channels, and with d.
     void fill_shape(const VoxelBox& box, const std::vector<float*>& values) const;
     void fill_detail(const VoxelBox& box, float* values) const;
-    // Returns the voxel whose noise a voxel has; x may lie outside the tile.
-    std::array<std::int64_t, 3> head_of(const std::array<std::int64_t, 3>& voxel) const;
     // Returns true only if the cloud is known to be empty in a box, besides what noise_bound says.
     bool is_empty(const VoxelBox& box) const { return volume && volume->is_empty(box); }
 

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "bakers/clouds/cloud_field.h"
-#include "bakers/clouds/cloud_specification.h"
 #include "bakers/clouds/shape_kernel.h"
 #include "bakers/field/pixel_type.h"
 #include "bakers/math/parallel.h"
@@ -178,13 +177,15 @@ class CoverSearch {
     }
 
     bool holds_cloud(const CloudPlan& plan, std::size_t column) const {
-        const auto x = static_cast<std::int64_t>(column % width_);
-        const auto y = static_cast<std::int64_t>(column / width_);
-        for (std::int64_t z = 0; z < plan.size[2]; ++z) {
-            const double value = double{cloud_at(plan, {x, y, z}).front()};
-            if (round_to_pixel_type(value, request_.pixel_type) > request_.level) return true;
-        }
-        return false;
+        const VoxelBox box{{static_cast<int>(column % width_), static_cast<int>(column / width_)},
+                           {1, 1, plan.size[2]}};
+        std::vector<float> values(static_cast<std::size_t>(box.count()));
+        std::vector<float*> channels(static_cast<std::size_t>(plan.channels), nullptr);
+        channels.front() = values.data();
+        fill_cloud(plan, {}, box, channels);
+        return std::ranges::any_of(values, [this](float value) {
+            return round_to_pixel_type(double{value}, request_.pixel_type) > request_.level;
+        });
     }
 
     const CloudPlan& plan_;

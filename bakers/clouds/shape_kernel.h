@@ -1,5 +1,5 @@
 // Turns noise into cloud, a row at a time: the formulas of cloud_plan.h for vectors. The results
-// equal cloud_specification.h bit for bit.
+// equal tests/clouds/cloud_specification.h bit for bit.
 #pragma once
 
 #include <cstddef>

@@ -17,6 +17,7 @@
 #include "bakers/field/voxel_array.h"
 #include "bakers/math/bake_clock.h"
 #include "bakers/math/quadrature.h"
+#include "config/text/mapped.h"
 
 namespace skybake {
 namespace {
@@ -273,6 +274,32 @@ void add_slice_levels(int count, const BakeOptions& options, Baked& volume) {
 }
 
 int quick_lookup_points(bool is_expensive) { return is_expensive ? 64 : 1024; }
+
+double seam_error(const VoxelSource& voxels, const std::array<int, 3>& size, std::size_t channels,
+                  std::size_t axes, const FillBeyond& beyond) {
+    constexpr int kPoints = 32;
+    std::vector<float> here(channels), there(channels);
+    const auto address = [](float& value) { return &value; };
+    const auto near = mapped<float*>(here, address);
+    const auto far = mapped<float*>(there, address);
+    double largest = 0;
+    for (std::size_t axis = 0; axis < axes; ++axis) {
+        for (int i = 0; i < kPoints; ++i) {
+            const std::array<double, 3> point = low_discrepancy_point(i);
+            VoxelBox voxel{{}, {1, 1, 1}};
+            for (std::size_t k = 0; k < 3; ++k) {
+                voxel.origin[k] = static_cast<int>(std::floor(point[k] * size[k]));
+            }
+            voxel.origin[axis] = 0;
+            voxels.fill(voxel, near);
+            beyond(axis, voxel, far);
+            for (std::size_t c = 0; c < channels; ++c) {
+                largest = std::max(largest, std::fabs(double{here[c]} - double{there[c]}));
+            }
+        }
+    }
+    return largest;
+}
 
 Outcome<Baked> finish_volume(Baked volume, const VolumeFinish& finish, const BakeOptions& options) {
     Outcome<Baked> outcome;

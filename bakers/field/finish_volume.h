@@ -35,6 +35,15 @@ void add_mip_levels(int count, const BakeOptions& options, Baked& volume);
 // The same, with the means of each slice by itself.
 void add_slice_levels(int count, const BakeOptions& options, Baked& volume);
 
+// Fills all channels of what lies a tile's length from a voxel along an axis.
+using FillBeyond = std::function<void(std::size_t axis, const VoxelBox& voxel,
+                                      const std::vector<float*>& channels)>;
+
+// Returns the largest difference between voxels on the lower faces of the first `axes` axes and those a
+// tile's length away, at some points of each face.
+double seam_error(const VoxelSource& voxels, const std::array<int, 3>& size, std::size_t channels,
+                  std::size_t axes, const FillBeyond& beyond);
+
 struct VolumeFinish {
     std::vector<std::array<double, 2>> histogram_ranges;  // one per channel
     VolumeReference reference = {};                       // empty: no certificate

@@ -105,10 +105,7 @@ double sky_view_v(double y, int rows) {
 }
 
 SunZenith sun_at_elevation(double elevation) {
-    SunZenith sun;
-    sun.cosine = std::clamp(sine_of(elevation), -1.0, 1.0);
-    sun.sine = std::clamp(cosine_of(elevation), 0.0, 1.0);
-    return sun;
+    return {std::clamp(sine_of(elevation), -1.0, 1.0), std::clamp(cosine_of(elevation), 0.0, 1.0)};
 }
 
 }  // namespace skybake

@@ -4,7 +4,6 @@
 #include <cassert>
 #include <condition_variable>
 #include <mutex>
-#include <set>
 #include <system_error>
 #include <thread>
 #include <vector>
@@ -14,61 +13,6 @@
 
 namespace skybake {
 namespace {
-
-// Hands out the indices of a pipeline in order and lets the thread that completes the oldest one
-// consume it, and those behind it that are ready.
-class Pipeline {
-  public:
-    Pipeline(int count, int slots, const std::function<void(int, int)>& produce,
-             const std::function<bool(int, int)>& consume)
-        : count_(count), slots_(slots), produce_(produce), consume_(consume) {}
-
-    void work() {
-        for (int index = next(); index < count_; index = next()) {
-            produce_(index, index % slots_);
-            finish(index);
-        }
-    }
-
-  private:
-    // The next index to produce, waiting for its slot; count_ where there is none.
-    int next() {
-        std::unique_lock lock(mutex_);
-        if (next_ >= count_) return count_;
-        const int index = next_++;
-        changed_.wait(lock, [&] { return stopped_ || index - consumed_ < slots_; });
-        return stopped_ ? count_ : index;
-    }
-
-    void finish(int index) {
-        std::unique_lock lock(mutex_);
-        ready_.insert(index);
-        if (consuming_) return;  // whoever consumes now will come to it
-        consuming_ = true;
-        while (!stopped_ && ready_.erase(consumed_) > 0) {
-            const int oldest = consumed_;
-            lock.unlock();
-            const bool go_on = consume_(oldest, oldest % slots_);
-            lock.lock();
-            ++consumed_;
-            stopped_ = !go_on;
-            changed_.notify_all();
-        }
-        consuming_ = false;
-    }
-
-    const int count_;
-    const int slots_;
-    const std::function<void(int, int)>& produce_;
-    const std::function<bool(int, int)>& consume_;
-    std::mutex mutex_;
-    std::condition_variable changed_;
-    std::set<int> ready_;  // produced and not yet consumed
-    int next_ = 0;
-    int consumed_ = 0;
-    bool consuming_ = false;
-    bool stopped_ = false;
-};
 
 // Runs `work` on this thread and on `helpers` others.
 void run_on_threads(int helpers, const std::function<void()>& work) {
@@ -102,8 +46,30 @@ void ordered_pipeline(int count, int threads, int slots,
                       const std::function<void(int index, int slot)>& produce,
                       const std::function<bool(int index, int slot)>& consume) {
     assert(slots >= 1);
-    Pipeline pipeline(count, slots, produce, consume);
-    run_on_threads(std::min({thread_count(threads), count, slots}) - 1, [&] { pipeline.work(); });
+    std::mutex mutex;
+    std::condition_variable changed;
+    int next = 0;
+    int consumed = 0;
+    bool stopped = false;
+    // There are at most `slots` threads, each with one item until that is consumed.
+    const auto work = [&] {
+        std::unique_lock lock(mutex);
+        while (next < count && !stopped) {
+            const int index = next++;
+            lock.unlock();
+            produce(index, index % slots);
+            lock.lock();
+            changed.wait(lock, [&] { return stopped || consumed == index; });
+            if (stopped) return;
+            lock.unlock();
+            const bool go_on = consume(index, index % slots);
+            lock.lock();
+            ++consumed;
+            stopped = !go_on;
+            changed.notify_all();
+        }
+    };
+    run_on_threads(std::min({thread_count(threads), count, slots}) - 1, work);
 }
 
 }  // namespace skybake

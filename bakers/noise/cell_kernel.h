@@ -6,8 +6,8 @@
 // dropped. The same bound tells whether points beyond the candidates' cells could matter; if so,
 // the next ring of cells is included too (two rings always suffice: F1 and F2 are at most sqrt(3)).
 // For the few remaining points squared distances are sums of three parts, of which only the one
-// along z changes inside the innermost loop. The result equals noise_specification.h bit for bit: a
-// minimum does not depend on which other points were examined.
+// along z changes inside the innermost loop. The result equals tests/noise/noise_specification.h bit
+// for bit: a minimum does not depend on which other points were examined.
 #pragma once
 
 #include <array>
@@ -89,8 +89,8 @@ void fill_narrow_cells(const CellField& field, const VoxelBox& chunk, LatticePla
 //
 // A bump ends one cell from its point. So of the points about a block of voxels only those matter
 // that are less than a cell away from it, a handful where the block is smaller than a cell, and all
-// voxels of the block share them. The result equals noise_specification.h bit for bit: the two
-// greatest bumps do not depend on the order of the points, nor on bumps that have ended.
+// voxels of the block share them. The result equals tests/noise/noise_specification.h bit for bit:
+// the two greatest bumps do not depend on the order of the points, nor on bumps that have ended.
 
 // Makes the lattice for chunks within `box` of at most `chunk_depth` slices.
 LatticePlanes make_bump_planes(const CellField& field, const VoxelBox& box, int chunk_depth);

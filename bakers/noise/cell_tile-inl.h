@@ -1,5 +1,5 @@
 // Finds least squared distances of a tile of voxels, in vectors along x in some rows and slices, and the
-// values of cellular noise that they make (cell_value.h).
+// values of cellular noise that they make.
 #if defined(SKYBAKE_BAKERS_NOISE_CELL_TILE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SKYBAKE_BAKERS_NOISE_CELL_TILE_INL_H_
 #undef SKYBAKE_BAKERS_NOISE_CELL_TILE_INL_H_
@@ -12,7 +12,6 @@
 #include <cstddef>
 #include <limits>
 
-#include "bakers/noise/cell_value.h"
 #include "bakers/noise/lattice_hash-inl.h"
 #include "bakers/noise/noise_plan.h"
 
@@ -21,12 +20,15 @@ namespace skybake::noise::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
+// Returns the value from the squared distances to the nearest and to the second nearest point.
 template <class V>
 HWY_INLINE V cell_value(config::WorleyFeature feature, config::WorleyValue form, V first,
                         V second) {
+    constexpr float kOneOverSqrt3 = 0x1.279a74p-1f;
     const hn::DFromV<V> d;
     const V one = hn::Set(d, 1.0f);
-    if (needs_no_root(feature, form)) {
+    if (form == config::WorleyValue::one_minus_distance_squared &&
+        feature != config::WorleyFeature::f2_minus_f1) {  // needs no root
         const V squared = feature == config::WorleyFeature::f1 ? first : second;
         return hn::Max(hn::Zero(d), hn::Sub(one, squared));
     }
@@ -63,6 +65,12 @@ HWY_INLINE bool is_within_rings(V squared, int rings, V to_face) {
     return hn::AllTrue(d, hn::Le(hn::Mul(squared, hn::Set(d, 1.00001f)), hn::Mul(reach, reach)));
 }
 
+// The two greatest bumps at a place, of which alligator noise is the difference.
+//
+//   bump of a point = height * s(1 - d),   s(t) = 3 t^2 - 2 t^3 for t > 0, else 0,
+//
+// d the distance to the point in cells. A bump ends where the cells about the place's own do.
+// Side Effects Software, Houdini Development Kit, sample `alligator`.
 template <class V>
 struct GreatestBumpsVector {
     V first, second;

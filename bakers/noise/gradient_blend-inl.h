@@ -1,5 +1,14 @@
-// Blends the gradients of the eight corners of a vector of samples' cells, in the order of
-// noise_specification.h. It has the functions of moving_gradient.h for vectors, too.
+// Blends the gradients of the eight corners of a vector of samples' cells, also those of four
+// dimensions at one time.
+//
+// Between the lattices before and after a frame, at the place v along time, improved noise of four
+// dimensions is
+//
+//   sum over k = 0, 1 of W_k sum over the corners c of (gx u_c + gy v_c + gz w_c + gt t_k) W(c),
+//
+// t_k the distance to lattice k and W_k its weight. So it is noise of three dimensions whose corners
+// have the gradient sum_k W_k (gx, gy, gz) and beside it the value sum_k W_k t_k gt, which needs no
+// more work per voxel.
 #if defined(SKYBAKE_BAKERS_NOISE_GRADIENT_BLEND_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SKYBAKE_BAKERS_NOISE_GRADIENT_BLEND_INL_H_
 #undef SKYBAKE_BAKERS_NOISE_GRADIENT_BLEND_INL_H_
@@ -10,7 +19,7 @@
 #include <hwy/highway.h>
 
 #include "bakers/noise/lattice_hash-inl.h"
-#include "bakers/noise/moving_gradient.h"
+#include "bakers/noise/noise_plan.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace skybake::noise::HWY_NAMESPACE {

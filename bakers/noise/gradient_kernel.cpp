@@ -38,9 +38,12 @@ class StillGradients {
 class MovingGradients {
   public:
     explicit MovingGradients(const GradientOctave& octave) : time_(*octave.time) {}
-    TimeKeys keys(std::uint32_t y, std::uint32_t z) const { return time_keys(time_, y, z); }
-    HWY_INLINE void store(const TimeKeys& keys, WordVector scaled_x, LatticePlanes& planes,
-                          std::size_t at) const {
+    // The keys of a lattice row before and after the frame.
+    std::array<RowKey, 2> keys(std::uint32_t y, std::uint32_t z) const {
+        return {row_key(time_.keys[0], y, z), row_key(time_.keys[1], y, z)};
+    }
+    HWY_INLINE void store(const std::array<RowKey, 2>& keys, WordVector scaled_x,
+                          LatticePlanes& planes, std::size_t at) const {
         const MovingGradientVector gradient =
             gradient_at(time_.basis, in_all_lanes(keys[0]), in_all_lanes(keys[1]), scaled_x);
         hn::StoreU(gradient.x, kFloats, planes.x.data() + at);

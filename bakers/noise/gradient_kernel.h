@@ -3,7 +3,7 @@
 // Inside a lattice cell improved noise is a sum of products of functions of x, y and z alone
 // (noise_plan.h). So gradients are hashed once per lattice point, blended along z once per slice
 // and along y once per row, and four products per voxel remain, whatever the frequency. The result
-// equals noise_specification.h bit for bit.
+// equals tests/noise/noise_specification.h bit for bit.
 #pragma once
 
 #include <vector>

@@ -1,6 +1,6 @@
 // Fills boxes with noise whose samples share no lattice rows, because they are displaced, or few
 // points, as alligator noise does. Every voxel hashes the lattice points around its sample. The
-// result equals noise_specification.h bit for bit.
+// result equals tests/noise/noise_specification.h bit for bit.
 #pragma once
 
 #include <array>
@@ -28,7 +28,8 @@ void fill_scattered_cell_field(const CellField& field, const VoxelBox& chunk,
 // Fills boxes with noise sample by sample: every voxel hashes all lattice points around it, a
 // vector of voxels at a time, as noise libraries do. It serves octaves with more than one cell per
 // voxel, where neighbouring voxels share no lattice points; for other octaves the benchmarks
-// compare the other kernels with it. The result equals noise_specification.h bit for bit.
+// compare the other kernels with it. The result equals tests/noise/noise_specification.h bit for
+// bit.
 
 // Writes one octave, multiplied by its amplitude, to out[(z * chunk.size[1] + y) * row_stride + x],
 // in rows of whole vectors.

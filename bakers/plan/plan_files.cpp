@@ -63,14 +63,6 @@ ChartPoint point_of(const Plan& plan, std::size_t index, double cost,
     return point;
 }
 
-// Marks the front of a chart's own two figures, which is what its line joins.
-void mark_front(std::vector<ChartPoint>& points) {
-    std::vector<CostAndError> choices;
-    for (const ChartPoint& point : points) choices.push_back({point.x, point.y});
-    const std::vector<bool> front = pareto_front(choices);
-    for (std::size_t i = 0; i < points.size(); ++i) points[i].on_front = front[i];
-}
-
 // Names each baseline once, at its least error.
 void label_baselines(const Plan& plan, std::vector<ChartPoint>& points) {
     std::map<std::string_view, std::size_t> least;

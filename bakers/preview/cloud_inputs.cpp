@@ -9,6 +9,7 @@
 
 #include "bakers/occupancy/cell_grid.h"
 #include "bakers/occupancy/leap_distance.h"
+#include "bakers/occupancy/occupied_cells.h"
 #include "bakers/preview/check_options.h"
 #include "config/assets/asset_kind.h"
 #include "config/assets/cloud_volume.h"
@@ -211,9 +212,8 @@ std::optional<std::vector<float>> values_of(const PreviewAsset& grid, const Occu
     const auto found = std::ranges::find(bake.contents, content);
     if (found == bake.contents.end()) return std::nullopt;
     const auto channel = static_cast<std::size_t>(found - bake.contents.begin());
-    const bool unorm =
-        bake.pixel_type == PixelType::unorm8 || bake.pixel_type == PixelType::unorm16;
-    const float scale = content == OccupancyContent::leap && unorm ? 255.0F : 1.0F;
+    const bool is_share = content == OccupancyContent::leap && occupancy::is_unorm(bake.pixel_type);
+    const float scale = is_share ? 255.0F : 1.0F;
     std::vector<float> values;
     for (std::size_t i = channel; i < grid.voxels.size(); i += bake.contents.size()) {
         values.push_back(grid.voxels[i] * scale);

@@ -88,9 +88,7 @@ std::optional<Thumbnail> sky_picture(const PreviewAssets& assets, PreviewOptions
 
 // Draws the first channel of the middle plane, with 0 as black and 1 as white.
 Picture slice_picture(const PreviewAsset& asset) {
-    const ManifestAsset& entry = asset.entry;
-    const VoxelView volume{entry.levels[0].size, static_cast<int>(entry.channels.size()),
-                           &asset.voxels};
+    const VoxelView volume = view_of(asset);
     const Image2<float> plane = slice(volume, 0, 2, volume.size[2] / 2);
     const int scale = std::max(1, telling_size[1] / std::max(plane.width, plane.height));
     Picture picture(plane.width * scale, plane.height * scale);

@@ -122,14 +122,10 @@ std::vector<ChartPoint> points_of(const PreviewSweep& sweep, const std::string& 
 
 // Marks the front. Only its points keep their labels, and of equal points only the first.
 void mark_points(std::vector<ChartPoint>& points, double noise) {
-    std::vector<CostAndError> choices;
-    for (const ChartPoint& point : points) choices.push_back({point.x, point.y});
-    const std::vector<bool> front = pareto_front(choices, noise);
+    mark_front(points, noise);
     std::set<std::pair<double, double>> labelled;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        points[i].on_front = front[i];
-        if (!front[i] || !labelled.emplace(points[i].x, points[i].y).second)
-            points[i].label.clear();
+    for (ChartPoint& point : points) {
+        if (!point.on_front || !labelled.emplace(point.x, point.y).second) point.label.clear();
     }
 }
 

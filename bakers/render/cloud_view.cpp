@@ -81,12 +81,10 @@ Spectrum mean_radiance(const Atmosphere& atmosphere, double altitude_m, const Su
 CloudIllumination illumination(const CloudMedium& medium, const Atmosphere& atmosphere,
                                const SunDirection& sun, int threads) {
     const double top_m = medium.base_m + medium.extent_m[2];
-    CloudIllumination light;
-    light.sun_at_base = sunlight_at(atmosphere, medium.base_m, sun);
-    light.sun_at_top = sunlight_at(atmosphere, top_m, sun);
-    light.sky = mean_radiance(atmosphere, top_m, sun, 0, 90, threads);
-    light.ground = mean_radiance(atmosphere, medium.base_m, sun, -90, 0, threads);
-    return light;
+    return {.sun_at_base = sunlight_at(atmosphere, medium.base_m, sun),
+            .sun_at_top = sunlight_at(atmosphere, top_m, sun),
+            .sky = mean_radiance(atmosphere, top_m, sun, 0, 90, threads),
+            .ground = mean_radiance(atmosphere, medium.base_m, sun, -90, 0, threads)};
 }
 
 GroundIrradiance ground_irradiance(const Atmosphere& atmosphere, const SunDirection& sun,

@@ -12,19 +12,18 @@
 HWY_BEFORE_NAMESPACE();
 namespace skybake::HWY_NAMESPACE {
 
-static_assert(FloatLanes::kCount <= static_cast<std::size_t>(kMarchPadding));
+using Real = FloatLanes;  // of as many rays
+static_assert(Real::kCount <= static_cast<std::size_t>(kMarchPadding));
 
 // The four texels about a place, by the index of the lower left one, and their weights.
-template <class Real>
 struct TexelPlace {
-    decltype(to_int(Real())) index;
+    IntLanes index;
     Real low_left, low_right, high_left, high_right;
 };
 
 // Returns the place between texel centres, clamped to the edge. x and y are in [0, 1] except for
 // rounding.
-template <class Real>
-HWY_INLINE TexelPlace<Real> place_in(const LookupTable& table, Real x, Real y) {
+HWY_INLINE TexelPlace place_in(const LookupTable& table, Real x, Real y) {
     const Real across = minimum(maximum(x * Real(table.scale_x) + Real(table.offset_x), Real(0.0f)),
                                 Real(static_cast<float>(table.width - 1)));
     const Real up = minimum(maximum(y * Real(table.scale_y) + Real(table.offset_y), Real(0.0f)),
@@ -38,9 +37,8 @@ HWY_INLINE TexelPlace<Real> place_in(const LookupTable& table, Real x, Real y) {
 }
 
 // Looks up the channels from number `first` on bilinearly.
-template <class Real, int kChannels>
-HWY_INLINE void look_up(const LookupTable& table, const TexelPlace<Real>& place, int first,
-                        Real* value) {
+template <int kChannels>
+HWY_INLINE void look_up(const LookupTable& table, const TexelPlace& place, int first, Real* value) {
     const float* low = table.texels.data() + first;
     const float* high = low + table.texels_per_row * table.channels;
     const int right = table.channels;
@@ -53,7 +51,6 @@ HWY_INLINE void look_up(const LookupTable& table, const TexelPlace<Real>& place,
 }
 
 // A ray where it begins.
-template <class Real>
 struct MarchRay {
     Real altitude_km;
     Real s_km;      // r mu
@@ -63,7 +60,6 @@ struct MarchRay {
 };
 
 // A point on a ray and the sun's position there.
-template <class Real>
 struct MarchPoint {
     Real altitude_km;
     Real r_km;
@@ -71,16 +67,15 @@ struct MarchPoint {
     Real sun_s_km;    // r mu_s
 };
 
-template <class Real>
-HWY_INLINE MarchPoint<Real> point_at(const SkyMarch& sky, Real altitude_km, Real sun_s_km) {
+HWY_INLINE MarchPoint point_at(const SkyMarch& sky, Real altitude_km, Real sun_s_km) {
     const Real ground(sky.ground_radius_km);
     return {altitude_km, ground + altitude_km,
             square_root(altitude_km * (ground + ground + altitude_km)), sun_s_km};
 }
 
 // Returns the transmittance towards the sun, which is 0 if the planet is in between.
-template <class Real, int kChannels>
-HWY_INLINE void sunlight(const SkyMarch& sky, const MarchPoint<Real>& point, Real* value) {
+template <int kChannels>
+HWY_INLINE void sunlight(const SkyMarch& sky, const MarchPoint& point, Real* value) {
     const Real gain = Real(sky.thickness_km) - point.altitude_km;
     const Real d =
         square_root(point.sun_s_km * point.sun_s_km + gain * (point.r_km + point.r_km + gain)) -
@@ -88,8 +83,7 @@ HWY_INLINE void sunlight(const SkyMarch& sky, const MarchPoint<Real>& point, Rea
     const Real top_horizon(sky.top_horizon_km);
     const Real x_mu = (d - gain) / (point.horizon_km + top_horizon - gain);
     const LookupTable& table = sky.tables->transmittance;
-    look_up<Real, kChannels>(table, place_in(table, x_mu, point.horizon_km / top_horizon), 0,
-                             value);
+    look_up<kChannels>(table, place_in(table, x_mu, point.horizon_km / top_horizon), 0, value);
     const auto hidden = point.sun_s_km < -point.horizon_km;
     for (int c = 0; c < kChannels; ++c) {
         if (sky.tables->holds_optical_depth) value[c] = exponential_of_negative(-value[c]);
@@ -98,8 +92,7 @@ HWY_INLINE void sunlight(const SkyMarch& sky, const MarchPoint<Real>& point, Rea
 }
 
 // Returns the place of a point in the table of light that is scattered again.
-template <class Real>
-HWY_INLINE TexelPlace<Real> scattering_place(const SkyMarch& sky, const MarchPoint<Real>& point) {
+HWY_INLINE TexelPlace scattering_place(const SkyMarch& sky, const MarchPoint& point) {
     Real mu = point.sun_s_km / point.r_km;
     if (sky.tables->twilight) {
         const Real root = square_root(absolute(mu));
@@ -109,7 +102,6 @@ HWY_INLINE TexelPlace<Real> scattering_place(const SkyMarch& sky, const MarchPoi
                     point.altitude_km / Real(sky.thickness_km));
 }
 
-template <class Real>
 HWY_INLINE Real density_at(const MarchLayer& layer, Real altitude_km) {
     if (layer.scale_height_km > 0) {
         return exponential_of_negative(altitude_km * Real(-1.0f / layer.scale_height_km));
@@ -129,7 +121,6 @@ HWY_INLINE Real density_at(const MarchLayer& layer, Real altitude_km) {
 
 // Returns (1 - e^-x) / x for x >= 0; `transmitted` is e^-x. For small x, where the difference would
 // lose digits, it uses the series. The first omitted term is at most 0.5^8 / 9! = 1e-8.
-template <class Real>
 HWY_INLINE Real mean_transmittance(Real x, Real transmitted) {
     Real series(-1.0f / 40320);
     series = series * x + Real(1.0f / 5040);
@@ -144,14 +135,14 @@ HWY_INLINE Real mean_transmittance(Real x, Real transmitted) {
 }
 
 // Returns the radiance of the ground where the ray meets it; see sky_view.h.
-template <class Real, int kChannels>
+template <int kChannels>
 HWY_INLINE void ground_radiance(const SkyMarch& sky, Real sun_s_km, Real* value) {
-    const MarchPoint<Real> point = point_at(sky, Real(0.0f), sun_s_km);
+    const MarchPoint point = point_at(sky, Real(0.0f), sun_s_km);
     const Real mu = maximum(sun_s_km / point.r_km, Real(0.0f));
     Real sun[kChannels];
     Real psi[kChannels];
-    sunlight<Real, kChannels>(sky, point, sun);
-    look_up<Real, kChannels>(sky.tables->multiple_scattering, scattering_place(sky, point), 0, psi);
+    sunlight<kChannels>(sky, point, sun);
+    look_up<kChannels>(sky.tables->multiple_scattering, scattering_place(sky, point), 0, psi);
     for (int c = 0; c < kChannels; ++c) {
         const float albedo = sky.ground_albedo[static_cast<std::size_t>(c)];
         const Real direct = mu * sun[c] * Real(std::numbers::inv_pi_v<float>);
@@ -163,15 +154,13 @@ HWY_INLINE void ground_radiance(const SkyMarch& sky, Real sun_s_km, Real* value)
 }
 
 // Where a ray ends and where its air is densest.
-template <class Real>
 struct MarchPath {
     Real length_km;
     Real densest_km;
     decltype(Real() < Real()) hits_ground;
 };
 
-template <class Real>
-HWY_INLINE MarchPath<Real> path_of(const SkyMarch& sky, const MarchRay<Real>& ray) {
+HWY_INLINE MarchPath path_of(const SkyMarch& sky, const MarchRay& ray) {
     const Real r = Real(sky.ground_radius_km) + ray.altitude_km;
     const Real gain = Real(sky.thickness_km) - ray.altitude_km;
     const Real drop = ray.altitude_km * (Real(sky.ground_radius_km) + r);  // rho^2
@@ -189,8 +178,7 @@ HWY_INLINE MarchPath<Real> path_of(const SkyMarch& sky, const MarchRay<Real>& ra
     return {minimum(to_end, ray.reach_km), minimum(densest, ray.reach_km), ends_there};
 }
 
-template <class Real>
-HWY_INLINE Real altitude_at(const SkyMarch& sky, const MarchRay<Real>& ray, Real distance_km) {
+HWY_INLINE Real altitude_at(const SkyMarch& sky, const MarchRay& ray, Real distance_km) {
     const Real r = Real(sky.ground_radius_km) + ray.altitude_km;
     const Real q = distance_km * (distance_km + ray.s_km + ray.s_km);
     const Real altitude = ray.altitude_km + q / (square_root(maximum(r * r + q, Real(0.0f))) + r);
@@ -199,16 +187,16 @@ HWY_INLINE Real altitude_at(const SkyMarch& sky, const MarchRay<Real>& ray, Real
 }
 
 // The sums over all layers at the middle of a segment.
-template <class Real, int kChannels>
+template <int kChannels>
 struct AirSample {
     Real extinction[kChannels];
     Real scattering[kMostMomentDegree + 1][kChannels];  // times the Legendre moments
     Real scattered_to_eye[kChannels];                   // sum of sigma_s p
 };
 
-template <class Real, int kChannels>
+template <int kChannels>
 HWY_INLINE void sample_air(const SkyMarch& sky, Real altitude_km, const float* phases, int stride,
-                           AirSample<Real, kChannels>& sample) {
+                           AirSample<kChannels>& sample) {
     for (int c = 0; c < kChannels; ++c) {
         sample.extinction[c] = Real(0.0f);
         sample.scattered_to_eye[c] = Real(0.0f);
@@ -217,7 +205,7 @@ HWY_INLINE void sample_air(const SkyMarch& sky, Real altitude_km, const float* p
     for (const MarchLayer& layer : sky.layers) {
         const Real density = density_at(layer, altitude_km);
         for (int c = 0; c < kChannels; ++c) {
-            const Real phase = LaneAccess<Real>::load(phases);
+            const Real phase = Real::load(phases);
             phases += stride;
             const auto channel = static_cast<std::size_t>(c);
             sample.extinction[c] =
@@ -239,12 +227,11 @@ HWY_INLINE void sample_air(const SkyMarch& sky, Real altitude_km, const float* p
 // Returns the light that a km of air scatters again towards the eye, whose direction has the cosine
 // `mu` of the zenith angle: the sum of solved_scattering_table.h, which is that of the published lookup
 // (examples/lookups/moments.glsl).
-template <class Real, int kChannels>
-HWY_INLINE void scattered_again(const SkyMarch& sky, const MarchPoint<Real>& point, Real mu,
-                                Real cosine_to_sun, const AirSample<Real, kChannels>& air,
-                                Real* value) {
+template <int kChannels>
+HWY_INLINE void scattered_again(const SkyMarch& sky, const MarchPoint& point, Real mu,
+                                Real cosine_to_sun, const AirSample<kChannels>& air, Real* value) {
     const LookupTable& table = sky.tables->multiple_scattering;
-    const TexelPlace<Real> place = scattering_place(sky, point);
+    const TexelPlace place = scattering_place(sky, point);
     const Real one(1.0f);
     const Real sun_mu = minimum(maximum(point.sun_s_km / point.r_km, -one), one);
     mu = minimum(maximum(mu, -one), one);
@@ -263,7 +250,7 @@ HWY_INLINE void scattered_again(const SkyMarch& sky, const MarchPoint<Real>& poi
         Real harmonic = sectoral;  // P_l^m, by the recursion that ascends in l
         for (int l = m; l <= sky.degree; ++l) {
             Real moment[kChannels];
-            look_up<Real, kChannels>(table, place, (l * (l + 1) / 2 + m) * kChannels, moment);
+            look_up<kChannels>(table, place, (l * (l + 1) / 2 + m) * kChannels, moment);
             for (int c = 0; c < kChannels; ++c) {
                 value[c] = value[c] + air.scattering[l][c] * (harmonic * last) * moment[c];
             }
@@ -282,10 +269,10 @@ HWY_INLINE void scattered_again(const SkyMarch& sky, const MarchPoint<Real>& poi
 
 // Marches one ray per lane. `phases` has the phase functions of the layers in each channel, `stride`
 // apart.
-template <class Real, int kChannels>
-HWY_INLINE void march(const SkyMarch& sky, const MarchRay<Real>& ray, const float* phases,
-                      int stride, Real* radiance) {
-    const MarchPath<Real> path = path_of(sky, ray);
+template <int kChannels>
+HWY_INLINE void march(const SkyMarch& sky, const MarchRay& ray, const float* phases, int stride,
+                      Real* radiance) {
+    const MarchPath path = path_of(sky, ray);
     const Real begin = -square_root(path.densest_km);
     const Real range = square_root(path.length_km - path.densest_km) - begin;
     Real throughput[kChannels];
@@ -301,13 +288,13 @@ HWY_INLINE void march(const SkyMarch& sky, const MarchRay<Real>& ray, const floa
         const Real width = to - from;
         const Real t = path.densest_km + Real(0.5f) * (from + to);
         from = to;
-        const MarchPoint<Real> point =
+        const MarchPoint point =
             point_at(sky, altitude_at(sky, ray, t), ray.sun_s_km + t * ray.cosine_to_sun);
-        AirSample<Real, kChannels> air;
+        AirSample<kChannels> air;
         sample_air(sky, point.altitude_km, phases, stride, air);
         Real sun[kChannels];
         Real again[kChannels];
-        sunlight<Real, kChannels>(sky, point, sun);
+        sunlight<kChannels>(sky, point, sun);
         scattered_again(sky, point, (ray.s_km + t) / point.r_km, ray.cosine_to_sun, air, again);
         for (int c = 0; c < kChannels; ++c) {
             const Real depth = air.extinction[c] * width;
@@ -320,45 +307,38 @@ HWY_INLINE void march(const SkyMarch& sky, const MarchRay<Real>& ray, const floa
     }
     if (!any(path.hits_ground)) return;
     Real ground[kChannels];
-    ground_radiance<Real, kChannels>(sky, ray.sun_s_km + path.length_km * ray.cosine_to_sun,
-                                     ground);
+    ground_radiance<kChannels>(sky, ray.sun_s_km + path.length_km * ray.cosine_to_sun, ground);
     for (int c = 0; c < kChannels; ++c) {
         radiance[c] =
             select(path.hits_ground, radiance[c] + throughput[c] * ground[c], radiance[c]);
     }
 }
 
-template <class Real, int kChannels>
+template <int kChannels>
 HWY_INLINE void march_all(const SkyMarch& sky, const MarchRays& rays, float* radiance) {
-    using Access = LaneAccess<Real>;
-    for (int i = 0; i < rays.count; i += Access::kCount) {
+    for (int i = 0; i < rays.count; i += static_cast<int>(Real::kCount)) {
         const auto at = static_cast<std::size_t>(i);
-        const MarchRay<Real> ray = {
-            Access::load(rays.altitude_km.data() + at), Access::load(rays.s_km.data() + at),
-            Access::load(rays.sun_s_km.data() + at), Access::load(rays.cosine_to_sun.data() + at),
-            Access::load(rays.reach_km.data() + at)};
+        const MarchRay ray = {
+            Real::load(rays.altitude_km.data() + at), Real::load(rays.s_km.data() + at),
+            Real::load(rays.sun_s_km.data() + at), Real::load(rays.cosine_to_sun.data() + at),
+            Real::load(rays.reach_km.data() + at)};
         Real value[kChannels];
-        march<Real, kChannels>(sky, ray, rays.phases.data() + at, rays.count, value);
-        for (int c = 0; c < kChannels; ++c) Access::store(value[c], radiance + c * rays.count + i);
-    }
-}
-
-template <class Real>
-HWY_INLINE void march_channels(const SkyMarch& sky, const MarchRays& rays, float* radiance) {
-    switch (sky.channels) {
-        case 1:
-            return march_all<Real, 1>(sky, rays, radiance);
-        case 2:
-            return march_all<Real, 2>(sky, rays, radiance);
-        case 3:
-            return march_all<Real, 3>(sky, rays, radiance);
-        default:
-            return march_all<Real, kMaxChannels>(sky, rays, radiance);
+        march<kChannels>(sky, ray, rays.phases.data() + at, rays.count, value);
+        for (int c = 0; c < kChannels; ++c) value[c].store(radiance + c * rays.count + i);
     }
 }
 
 void MarchRow(const SkyMarch& sky, const MarchRays& rays, float* radiance) {
-    march_channels<FloatLanes>(sky, rays, radiance);
+    switch (sky.channels) {
+        case 1:
+            return march_all<1>(sky, rays, radiance);
+        case 2:
+            return march_all<2>(sky, rays, radiance);
+        case 3:
+            return march_all<3>(sky, rays, radiance);
+        default:
+            return march_all<kMaxChannels>(sky, rays, radiance);
+    }
 }
 
 }  // namespace skybake::HWY_NAMESPACE

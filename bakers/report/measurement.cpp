@@ -137,4 +137,13 @@ std::vector<bool> pareto_front(const std::vector<CostAndError>& choices, double 
     return front;
 }
 
+void mark_front(std::vector<ChartPoint>& points, double noise) {
+    const auto front = pareto_front(mapped<CostAndError>(points,
+                                                         [](const ChartPoint& point) {
+                                                             return CostAndError{point.x, point.y};
+                                                         }),
+                                    noise);
+    for (std::size_t i = 0; i < points.size(); ++i) points[i].on_front = front[i];
+}
+
 }  // namespace skybake

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "bakers/io/files/file_io.h"
+#include "bakers/plot/chart.h"
 #include "config/diagnostics/diagnostic.h"
 #include "config/recipe/recipe.h"
 
@@ -66,6 +67,9 @@ struct CostAndError {
 // the relative difference `noise` count as equal. A choice that is not finite is never on the
 // front.
 std::vector<bool> pareto_front(const std::vector<CostAndError>& choices, double noise = 0);
+
+// Marks the points of a chart that are on the front of its own two figures.
+void mark_front(std::vector<ChartPoint>& points, double noise = 0);
 
 // The relative difference that was observed between medians of equal work.
 inline constexpr double kTimingNoise = 0.05;

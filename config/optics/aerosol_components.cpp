@@ -163,28 +163,18 @@ double mode_radius_um(const ComponentFacts& component, double relative_humidity_
     return below_um + (component.mode_radius_um[high] - below_um) * fraction;
 }
 
-template <class Enumerator, std::size_t count>
-constexpr std::array<Enumerator, count> all_enumerators() {
-    std::array<Enumerator, count> all{};
-    for (std::size_t i = 0; i < count; ++i) all[i] = static_cast<Enumerator>(i);
-    return all;
-}
-
 }  // namespace
 
 std::span<const AerosolComponent> all_aerosol_components() {
-    static constexpr auto kAll = all_enumerators<AerosolComponent, kComponents.size()>();
-    return kAll;
-}
-
-std::span<const AerosolMixture> all_aerosol_mixtures() {
-    static constexpr auto kAll = all_enumerators<AerosolMixture, kMixtures.size()>();
+    static constexpr auto kAll = [] {
+        std::array<AerosolComponent, kComponents.size()> all{};
+        for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<AerosolComponent>(i);
+        return all;
+    }();
     return kAll;
 }
 
 std::string_view name_of(AerosolComponent component) { return facts_of(component).name; }
-
-std::span<const double> tabulated_humidities_percent() { return kTabulatedHumidities_percent; }
 
 LogNormalRadii radii_of(AerosolComponent component, double relative_humidity_percent) {
     const ComponentFacts& facts = facts_of(component);

@@ -29,10 +29,6 @@ enum class AerosolComponent {
 std::span<const AerosolComponent> all_aerosol_components();
 std::string_view name_of(AerosolComponent component);
 
-// The relative humidities in percent for which OPAC tells sizes. Between them sizes are linear in
-// humidity, and above the last there are none.
-std::span<const double> tabulated_humidities_percent();
-
 // dN / d ln r = number / (sqrt(2 pi) ln deviation) * exp(-1/2 (ln(r / mode) / ln deviation)^2),
 // between the smallest and the largest radius. (OPAC's mode radius is the median of the number.)
 struct LogNormalRadii {
@@ -80,8 +76,6 @@ enum class AerosolMixture {
     arctic,
     antarctic
 };
-
-std::span<const AerosolMixture> all_aerosol_mixtures();
 
 struct MixturePart {
     AerosolComponent component{};

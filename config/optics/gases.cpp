@@ -89,13 +89,6 @@ double wave_number_per_cm(Length wavelength) { return 0.01 / wavelength.meters; 
 
 }  // namespace
 
-std::span<const Gas> all_gases() {
-    static constexpr std::array kAll = {Gas::air,           Gas::ozone,       Gas::nitrogen_dioxide,
-                                        Gas::oxygen,        Gas::water_vapor, Gas::nitrogen,
-                                        Gas::carbon_dioxide};
-    return kAll;
-}
-
 WavelengthRange range_of(Gas gas) {
     if (gas == Gas::ozone) return range_of_rows(std::span<const OzoneRow>(kOzoneAbsorption));
     if (const Absorber* absorber = absorber_of(gas)) return range_of_rows(absorber->rows);

@@ -34,9 +34,6 @@ constexpr bool scatters(Gas gas) {
     return gas == Gas::air || gas == Gas::nitrogen || gas == Gas::carbon_dioxide;
 }
 
-// All gases, in the order of the enumerators.
-std::span<const Gas> all_gases();
-
 // Both ends belong to it, however a unit's factor has rounded them.
 struct WavelengthRange {
     Length shortest, longest;

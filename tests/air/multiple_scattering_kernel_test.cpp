@@ -95,12 +95,12 @@ TEST(MultipleScatteringKernel, HasTheSameBitsOnEveryTarget) {
     for (const double altitude : {0.0, 3.3, 61.0, 100.0}) {
         const RowQuadrature row =
             make_row_quadrature(earth, altitudes, altitude, quadrature_levels()[3]);
-        std::vector<double> scalar(3 * suns.size());
-        integrate_row_scalar(earth, sunlight, row, suns.data(), count, scalar.data());
+        std::vector<double> first;
         test::on_every_target([&](const char* target) {
-            std::vector<double> vector(scalar.size());
-            integrate_row(earth, sunlight, row, suns.data(), count, vector.data());
-            EXPECT_EQ(vector, scalar) << target;
+            std::vector<double> psi(3 * suns.size());
+            integrate_row(earth, sunlight, row, suns.data(), count, psi.data());
+            if (first.empty()) first = psi;
+            EXPECT_EQ(psi, first) << target;
         });
     }
 }

@@ -8,9 +8,9 @@
 
 #include "bakers/assets/cloud_volume/cloud_volume.h"
 #include "bakers/clouds/cloud_reference.h"
-#include "bakers/clouds/cloud_specification.h"
 #include "bakers/math/quadrature.h"
 #include "config/assets/cloud_volume.h"
+#include "tests/clouds/cloud_specification.h"
 #include "tests/clouds/clouds.h"
 #include "tests/support/hard_case.h"
 

@@ -9,8 +9,8 @@
 
 #include "bakers/clouds/cloud_field.h"
 #include "bakers/clouds/cloud_reference.h"
-#include "bakers/clouds/cloud_specification.h"
 #include "bakers/clouds/grown_volume.h"
+#include "tests/clouds/cloud_specification.h"
 #include "tests/noise/noises.h"
 #include "tests/support/volumes.h"
 

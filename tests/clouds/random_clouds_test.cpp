@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "bakers/clouds/cloud_reference.h"
-#include "bakers/clouds/cloud_specification.h"
+#include "tests/clouds/cloud_specification.h"
 #include "tests/clouds/clouds.h"
 #include "tests/noise/every_target.h"
 

@@ -10,8 +10,8 @@
 #include "bakers/field/baked.h"
 #include "bakers/noise/noise_field.h"
 #include "bakers/noise/noise_plan.h"
-#include "bakers/noise/noise_specification.h"
 #include "config/sections/noise.h"
+#include "tests/noise/noise_specification.h"
 #include "tests/support/volumes.h"
 
 namespace skybake::test {

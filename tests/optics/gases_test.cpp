@@ -167,8 +167,8 @@ TEST(WaterVapor, AbsorbsInItsBands) {
 TEST(Gases, RangesEndAtWholeNanometres) { EXPECT_EQ(range_of(Gas::ozone).shortest.meters, 360e-9); }
 
 TEST(Gases, AreKnownOverTheVisible) {
-    EXPECT_EQ(all_gases().size(), 7u);
-    for (const Gas gas : all_gases()) {
+    for (int number = 0; number <= static_cast<int>(Gas::carbon_dioxide); ++number) {
+        const auto gas = static_cast<Gas>(number);
         const WavelengthRange range = range_of(gas);
         EXPECT_TRUE(range.contains(nanometers(380)));
         EXPECT_TRUE(range.contains(nanometers(780)));

@@ -62,7 +62,7 @@ TEST(TypedTables, OfParticles) {
             real += std::log(index.real);
             imaginary += std::log(index.imaginary);
         }
-        for (const double humidity : tabulated_humidities_percent())
+        for (const double humidity : {0, 50, 70, 80, 90, 95, 98, 99})
             radii += std::log(radii_of(component, humidity).mode_radius.meters);
         const LogNormalRadii dry = radii_of(component, 0);
         radii += std::log(dry.smallest.meters) + std::log(dry.largest.meters) + dry.deviation;
@@ -71,8 +71,8 @@ TEST(TypedTables, OfParticles) {
     for (double nm = 350; nm <= 900; nm += 50)
         water += std::log(water_index(nanometers(nm)).real) +
                  std::log(water_index(nanometers(nm)).imaginary);
-    for (const AerosolMixture mixture : all_aerosol_mixtures())
-        for (const MixturePart& part : parts_of(mixture))
+    for (int mixture = 0; mixture <= static_cast<int>(AerosolMixture::antarctic); ++mixture)
+        for (const MixturePart& part : parts_of(static_cast<AerosolMixture>(mixture)))
             numbers += std::log(part.particles.per_cubic_meter);
     EXPECT_NEAR(real, 51.20780, 1e-4);
     EXPECT_NEAR(imaginary, -951.5898, 1e-3);

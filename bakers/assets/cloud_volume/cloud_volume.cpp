@@ -3,16 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <utility>
 
 #include "bakers/clouds/cloud_field.h"
-#include "bakers/clouds/cloud_specification.h"
 #include "bakers/field/baked.h"
 #include "bakers/field/finish_volume.h"
-#include "bakers/math/quadrature.h"
-#include "bakers/noise/noise_plan.h"
 
 namespace skybake {
 namespace {
@@ -95,28 +91,20 @@ ProbePlace place_of(const Cloud& cloud, const std::array<double, 3>& uvw) {
             {{uvw}}};
 }
 
-// Differences between voxels of the faces x = 0 and y = 0 and those a tile's length away.
-double seam_error(const CloudField& field, const std::array<int, 3>& size) {
-    constexpr int kPoints = 32;
-    double largest = 0;
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-        for (int i = 0; i < kPoints; ++i) {
-            const std::array<double, 3> point = low_discrepancy_point(i);
-            noise::Voxel near;
-            for (std::size_t k = 0; k < 3; ++k) {
-                near[k] = static_cast<std::int64_t>(std::floor(point[k] * size[k]));
-            }
-            near[axis] = 0;
-            noise::Voxel far = near;
-            far[axis] = size[axis];
-            const std::vector<float> here = cloud_at(field.plan(), near);
-            const std::vector<float> there = cloud_at(field.plan(), far);
-            for (std::size_t c = 0; c < here.size(); ++c) {
-                largest = std::max(largest, std::fabs(double{here[c]} - double{there[c]}));
-            }
-        }
-    }
-    return largest;
+// A tile's length away maps and towers are asked again. Noise and volumes repeat there by the integers
+// of their voxels.
+double seam_error_of(const CloudField& field) {
+    const cloud::CloudPlan& plan = field.plan();
+    return seam_error(
+        field, plan.size, static_cast<std::size_t>(plan.channels), 2,
+        [&](std::size_t axis, const VoxelBox& voxel, const std::vector<float*>& channels) {
+            std::array<int, 3> far = voxel.origin;
+            far[axis] = plan.size[axis];
+            cloud::Columns column = cloud::make_columns(plan, far[0], 1, far[1], 1);
+            column.first_x = voxel.origin[0];
+            column.first_y = voxel.origin[1];
+            cloud::fill_cloud(plan, column, voxel, channels);
+        });
 }
 
 std::shared_ptr<const CloudField> make_field(const Cloud& cloud, const CloudVolumeBake& bake,
@@ -252,7 +240,7 @@ Outcome<Baked> bake_cloud_volume(const Cloud& cloud, const CloudVolumeBake& bake
         hold_voxels(options, volume, true);
     }
     if (options.cancelled()) return {};
-    volume.seam_error = seam_error(*field, bake.size);
+    volume.seam_error = seam_error_of(*field);
     add_mip_levels(bake.mips, options, volume);
     // Densities are shares of 1, and so is noise; velocities are at most some tens of m/s.
     std::vector<std::array<double, 2>> ranges(volume.channel_names.size(), {0, 1});

@@ -40,13 +40,12 @@ HWY_INLINE void add_sunlight(const LitPoint& point, Real s, Real weight, int cha
 
 // The mean over azimuths of the sunlight at a point where r mu_s = a + b cos(azimuth) and the sun
 // is up for all of them.
-template <class Real>
-HWY_INLINE void mean_over_circle(const LitPoint& point, int azimuths, Real a, Real b, int channels,
-                                 Real* mean) {
-    for (int c = 0; c < channels; ++c) mean[c] = Real(0.0);
+HWY_INLINE void mean_over_circle(const LitPoint& point, int azimuths, Lanes a, Lanes b,
+                                 int channels, Lanes* mean) {
+    for (int c = 0; c < channels; ++c) mean[c] = Lanes(0.0);
     const AzimuthRule& rule = full_circle_rule(azimuths);
     for (int i = 0; i < rule.count; ++i) {
-        add_sunlight(point, a + b * Real(rule.nodes[i]), Real(rule.weights[i]), channels, mean);
+        add_sunlight(point, a + b * Lanes(rule.nodes[i]), Lanes(rule.weights[i]), channels, mean);
     }
 }
 
@@ -65,23 +64,21 @@ HWY_INLINE void mean_over_lit_part(const LitPoint& point, int azimuths, double a
 }
 
 // The mean over all azimuths, b >= 0.
-template <class Real>
-HWY_INLINE void mean_sunlight(const LitPoint& point, int azimuths, Real a, Real b, int channels,
-                              Real* mean) {
-    using Access = LaneAccess<Real>;
-    const Real edge(point.dark_below_km);
+HWY_INLINE void mean_sunlight(const LitPoint& point, int azimuths, Lanes a, Lanes b, int channels,
+                              Lanes* mean) {
+    const Lanes edge(point.dark_below_km);
     const auto up_everywhere = a - b >= edge;
     if (any(up_everywhere)) {
         mean_over_circle(point, azimuths, a, b, channels, mean);
         if (all(up_everywhere)) return;
     }
-    double as[Access::kCount];
-    double bs[Access::kCount];
-    double means[kMaxChannels][Access::kCount] = {};
-    Access::store(a, as);
-    Access::store(b, bs);
-    for (int c = 0; any(up_everywhere) && c < channels; ++c) Access::store(mean[c], means[c]);
-    for (int lane = 0; lane < Access::kCount; ++lane) {
+    double as[Lanes::kCount];
+    double bs[Lanes::kCount];
+    double means[kMaxChannels][Lanes::kCount] = {};
+    a.store(as);
+    b.store(bs);
+    for (int c = 0; any(up_everywhere) && c < channels; ++c) mean[c].store(means[c]);
+    for (std::size_t lane = 0; lane < Lanes::kCount; ++lane) {
         if (as[lane] - bs[lane] >= point.dark_below_km) continue;
         double part[kMaxChannels] = {};
         if (as[lane] + bs[lane] >= point.dark_below_km) {
@@ -89,8 +86,10 @@ HWY_INLINE void mean_sunlight(const LitPoint& point, int azimuths, Real a, Real 
         }
         for (int c = 0; c < channels; ++c) means[c][lane] = part[c];
     }
-    for (int c = 0; c < channels; ++c) mean[c] = Access::load(means[c]);
+    for (int c = 0; c < channels; ++c) mean[c] = Lanes::load(means[c]);
 }
+
+constexpr int kStep = static_cast<int>(Lanes::kCount);
 
 // The suns of a row, padded to whole vectors.
 struct Suns {
@@ -101,31 +100,26 @@ struct Suns {
 
 // Adds to sum[c * padded + i], for each sun, weight[c] times the mean sunlight at a point of the
 // ray.
-template <class Real>
 HWY_INLINE void add_point(const LitPoint& point, int azimuths, double along_km, double across_km,
                           const Spectrum& weight, int channels, const Suns& suns, double* sum) {
-    using Access = LaneAccess<Real>;
-    for (int i = 0; i < suns.padded; i += Access::kCount) {
-        const Real a = Access::load(suns.cosine.data() + i) * Real(along_km);
-        const Real b = Access::load(suns.sine.data() + i) * Real(across_km);
-        if (!any(a + b >= Real(point.dark_below_km))) continue;
-        Real mean[kMaxChannels];
+    for (int i = 0; i < suns.padded; i += kStep) {
+        const Lanes a = Lanes::load(suns.cosine.data() + i) * Lanes(along_km);
+        const Lanes b = Lanes::load(suns.sine.data() + i) * Lanes(across_km);
+        if (!any(a + b >= Lanes(point.dark_below_km))) continue;
+        Lanes mean[kMaxChannels];
         mean_sunlight(point, azimuths, a, b, channels, mean);
         for (int c = 0; c < channels; ++c) {
             double* to = sum + c * suns.padded + i;
-            const Real part = Real(weight[static_cast<std::size_t>(c)]) * mean[c];
-            Access::store(Access::load(to) + part, to);
+            const Lanes part = Lanes(weight[static_cast<std::size_t>(c)]) * mean[c];
+            (Lanes::load(to) + part).store(to);
         }
     }
 }
 
-template <class Real>
-HWY_INLINE void integrate(const Medium& medium, const Sunlight& sunlight,
-                          const RowQuadrature& quadrature, const double* sun_cos_zenith, int count,
-                          double* psi) {
+void IntegrateRow(const Medium& medium, const Sunlight& sunlight, const RowQuadrature& quadrature,
+                  const double* sun_cos_zenith, int count, double* psi) {
     const int channels = medium.channels;
     Suns suns;
-    constexpr int kStep = LaneAccess<Real>::kCount;
     suns.padded = (count + kStep - 1) / kStep * kStep;
     for (int i = 0; i < suns.padded; ++i) {
         const double cosine = sun_cos_zenith[std::min(i, count - 1)];
@@ -139,7 +133,7 @@ HWY_INLINE void integrate(const Medium& medium, const Sunlight& sunlight,
     ground.horizontal_ground = true;
 
     std::vector<double> start_row(row.size());  // every ray starts at this altitude
-    combine_row<Real>(sunlight.field(), quadrature.altitude_km, start_row.data());
+    combine_row<Lanes>(sunlight.field(), quadrature.altitude_km, start_row.data());
     const double r = medium.ground_radius_km + quadrature.altitude_km;
     for (const WeightedRay& ray : quadrature.rays) {
         const double sine = square_root(maximum((1 - ray.mu) * (1 + ray.mu), 0.0));
@@ -151,28 +145,23 @@ HWY_INLINE void integrate(const Medium& medium, const Sunlight& sunlight,
             if (node.level >= 0) {
                 values = sunlight.row(node.level);
             } else if (k > 0) {
-                combine_row<Real>(sunlight.field(), node.altitude_km, row.data());
+                combine_row<Lanes>(sunlight.field(), node.altitude_km, row.data());
             }
-            add_point<Real>(lit_point(sunlight.field(), node.altitude_km, values), ray.azimuths[k],
-                            r + node.distance_km * ray.mu, node.distance_km * sine, weight,
-                            channels, suns, sum.data());
+            add_point(lit_point(sunlight.field(), node.altitude_km, values), ray.azimuths[k],
+                      r + node.distance_km * ray.mu, node.distance_km * sine, weight, channels,
+                      suns, sum.data());
         }
         if (!ray.hits_ground) continue;
         Spectrum weight{};
         weight = ray.weight * ray.end_transmittance * medium.ground_albedo / std::numbers::pi;
-        add_point<Real>(ground, ray.ground_azimuths, r + ray.length_km * ray.mu,
-                        ray.length_km * sine, weight, channels, suns, sum.data());
+        add_point(ground, ray.ground_azimuths, r + ray.length_km * ray.mu, ray.length_km * sine,
+                  weight, channels, suns, sum.data());
     }
     for (int c = 0; c < channels; ++c) {
         const double escape = quadrature.escape[static_cast<std::size_t>(c)];
         for (int i = 0; i < count; ++i)
             psi[c * count + i] = sum[static_cast<std::size_t>(c * suns.padded + i)] / escape;
     }
-}
-
-void IntegrateRow(const Medium& medium, const Sunlight& sunlight, const RowQuadrature& row,
-                  const double* sun_cos_zenith, int count, double* psi) {
-    integrate<Lanes>(medium, sunlight, row, sun_cos_zenith, count, psi);
 }
 
 void CombineRow(const TransmittanceField& field, double altitude_km, double* row) {
@@ -203,11 +192,6 @@ void integrate_row(const Medium& medium, const Sunlight& sunlight, const RowQuad
                    const double* sun_cos_zenith, int count, double* psi) {
     assert(count >= 0);
     HWY_DYNAMIC_DISPATCH(IntegrateRow)(medium, sunlight, row, sun_cos_zenith, count, psi);
-}
-
-void integrate_row_scalar(const Medium& medium, const Sunlight& sunlight, const RowQuadrature& row,
-                          const double* sun_cos_zenith, int count, double* psi) {
-    HWY_NAMESPACE::integrate<double>(medium, sunlight, row, sun_cos_zenith, count, psi);
 }
 
 }  // namespace skybake

@@ -50,8 +50,4 @@ class Sunlight {
 void integrate_row(const Medium& medium, const Sunlight& sunlight, const RowQuadrature& row,
                    const double* sun_cos_zenith, int count, double* psi);
 
-// Computes the same without vectors: the specification of integrate_row.
-void integrate_row_scalar(const Medium& medium, const Sunlight& sunlight, const RowQuadrature& row,
-                          const double* sun_cos_zenith, int count, double* psi);
-
 }  // namespace skybake

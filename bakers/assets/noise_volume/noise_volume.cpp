@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <set>
 #include <utility>
@@ -13,11 +14,9 @@
 #include "bakers/assets/registry/baker.h"
 #include "bakers/field/baked.h"
 #include "bakers/field/finish_volume.h"
-#include "bakers/math/quadrature.h"
 #include "bakers/noise/noise_bounds.h"
 #include "bakers/noise/noise_field.h"
 #include "bakers/noise/noise_reference.h"
-#include "bakers/noise/noise_specification.h"
 #include "config/sections/parameters.h"
 #include "config/text/mapped.h"
 
@@ -83,32 +82,33 @@ ProbePlace place_of(const std::array<int, 3>& size, NoiseSampling sampling,
     return place;
 }
 
-// The largest difference between voxels of the lower faces, as the kernels make them, and those a
-// tile's length away, which their specification finds at other lattice coordinates.
-double seam_error(const NoiseField& field, const std::array<int, 3>& size) {
-    constexpr int kPoints = 32;
+// Returns the plan whose voxels on a lower face are those a tile's length away: their cells are a
+// period of each lattice further on, or further back where the wind has carried them past the first.
+NoisePlan tile_beyond(NoisePlan plan, std::size_t axis) {
+    const auto move = [axis](auto& octave) {
+        std::vector<std::int32_t>& cells = octave.cells[axis].cell;
+        const int period = octave.frequency[axis];
+        const int by = cells.front() < period ? period : -period;
+        for (std::int32_t& cell : cells) cell += by;
+    };
+    const auto move_all = [&](noise::GradientStack& stack) {
+        std::ranges::for_each(stack.octaves, move);
+    };
+    std::ranges::for_each(plan.fields, move);
+    for (noise::ChannelPlan& channel : plan.channels) move_all(channel.gradient);
+    for (noise::WarpPlan& warp : plan.warps) std::ranges::for_each(warp, move_all);
+    return plan;
+}
+
+double seam_error_of(const NoiseField& field, const std::array<int, 3>& size) {
     const auto channels = static_cast<std::size_t>(field.plan().output_channels());
-    std::vector<float> here(channels);
-    const auto targets = mapped<float*>(here, [](float& value) { return &value; });
-    double largest = 0;
+    std::vector<NoiseField> beyond;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        for (int i = 0; i < kPoints; ++i) {
-            const std::array<double, 3> point = low_discrepancy_point(i);
-            VoxelBox near{{}, {1, 1, 1}};
-            for (std::size_t k = 0; k < 3; ++k) {
-                near.origin[k] = static_cast<int>(std::floor(point[k] * size[k]));
-            }
-            near.origin[axis] = 0;
-            noise::Voxel far = {near.origin[0], near.origin[1], near.origin[2]};
-            far[axis] = size[axis];
-            field.fill(near, targets);
-            const std::vector<float> there = noise_at(field.plan(), far);
-            for (std::size_t c = 0; c < channels; ++c) {
-                largest = std::max(largest, std::fabs(double{here[c]} - double{there[c]}));
-            }
-        }
+        beyond.emplace_back(tile_beyond(field.plan(), axis));
     }
-    return largest;
+    return seam_error(field, size, channels, 3,
+                      [&](std::size_t axis, const VoxelBox& voxel,
+                          const std::vector<float*>& values) { beyond[axis].fill(voxel, values); });
 }
 
 // Lattices that are hashed, each once however many channels use it or derivatives it has.
@@ -184,7 +184,7 @@ Baked make_noise_volume(const Noise& noise, const NoiseVolumeBake& bake, Baked v
     volume.details.emplace_back("distinct_octaves",
                                 static_cast<double>(distinct_octaves(field->plan())));
     add_voxels(bake.size, field, volume);
-    volume.seam_error = seam_error(*field, bake.size);
+    volume.seam_error = seam_error_of(*field, bake.size);
     return volume;
 }
 

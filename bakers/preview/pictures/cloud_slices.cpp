@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bakers/assets/description/asset_label.h"
 #include "bakers/math/parallel.h"
-#include "bakers/occupancy/cell_grid.h"
+#include "bakers/occupancy/occupied_cells.h"
 #include "bakers/plot/chart.h"
 #include "bakers/preview/pictures/asset_pictures.h"
 #include "config/assets/occupancy.h"
-#include "config/fields/fields.h"
 
 namespace skybake {
 namespace {
@@ -117,13 +117,9 @@ GridChannel grid_channel(const PreviewAsset& grid, const OccupancyBake* bake, st
         return {grid.entry.channels[channel]};
     }
     const config::OccupancyContent content = bake->contents[channel];
-    const config::Section& section = *config::find_section("bake.*", "occupancy");
-    const auto words = config::choice_names(*config::find_field(section, "contents"));
     const bool is_leap = content == config::OccupancyContent::leap;
-    const bool unorm =
-        bake->pixel_type == PixelType::unorm8 || bake->pixel_type == PixelType::unorm16;
-    return {std::string(words[static_cast<std::size_t>(content)]), is_leap && unorm ? 255.0F : 1.0F,
-            is_leap};
+    return {word_of("occupancy", "contents", content),
+            is_leap && occupancy::is_unorm(bake->pixel_type) ? 255.0F : 1.0F, is_leap};
 }
 
 // Returns the plane in which the sum of the first channel is greatest; for leaps, least.

@@ -41,13 +41,11 @@ struct SkyScene {
 };
 
 SkyView dome_view(const SkyScene& scene, double sun_elevation_degrees, int pixels) {
-    SkyView view;
-    view.projection = SkyProjection::dome;
-    view.width = pixels;
-    view.height = pixels;
-    view.camera_altitude_km = scene.camera_altitude_km;
-    view.sun_elevation_degrees = sun_elevation_degrees;
-    return view;
+    return {.projection = SkyProjection::dome,
+            .width = pixels,
+            .height = pixels,
+            .camera_altitude_km = scene.camera_altitude_km,
+            .sun_elevation_degrees = sun_elevation_degrees};
 }
 
 SkyView panorama_view(const SkyScene& scene, double sun_elevation_degrees) {

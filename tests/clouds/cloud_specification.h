@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "bakers/clouds/cloud_plan.h"
-#include "bakers/noise/noise_specification.h"
+#include "tests/noise/noise_specification.h"
 
 namespace skybake::cloud {
 

@@ -1,4 +1,4 @@
-#include "bakers/clouds/cloud_specification.h"
+#include "tests/clouds/cloud_specification.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -27,9 +27,15 @@ std::array<int, 3> within_tile(const CloudPlan& plan, const noise::Voxel& voxel)
     return within;
 }
 
+// The voxel whose noise a voxel has.
+noise::Voxel head_of(const CloudPlan& plan, const noise::Voxel& voxel) {
+    if (plan.fall.empty()) return voxel;
+    return {voxel[0] + plan.fall[static_cast<std::size_t>(voxel[2])], voxel[1], plan.size[2] - 1};
+}
+
 // n, in all channels. A voxel outside the tile has that of its image within.
 std::vector<float> shape_at(const CloudPlan& plan, const noise::Voxel& voxel) {
-    if (!plan.volume) return noise_at(plan.base->plan(), plan.head_of(voxel));
+    if (!plan.volume) return noise_at(plan.base->plan(), head_of(plan, voxel));
     std::vector<float> values(static_cast<std::size_t>(plan.channels));
     std::vector<float*> channels;
     for (float& value : values) channels.push_back(&value);
@@ -63,7 +69,8 @@ std::vector<float> cloud_at(const CloudPlan& plan, const noise::Voxel& voxel) {
         make_columns(plan, static_cast<int>(voxel[0]), 1, static_cast<int>(voxel[1]), 1);
     const SliceShape& slice = plan.slices[static_cast<std::size_t>(voxel[2])];
     std::vector<float> values = shape_at(plan, voxel);
-    const float detail = plan.detail ? noise_at(plan.detail->plan(), plan.head_of(voxel))[0] : 0.0f;
+    const float detail =
+        plan.detail ? noise_at(plan.detail->plan(), head_of(plan, voxel))[0] : 0.0f;
     for (int i = 0; i < plan.shaped_channels; ++i) {
         float& value = values[static_cast<std::size_t>(i)];
         value = shaped(plan, slice, column, value, detail);

@@ -1,15 +1,16 @@
-#include "bakers/noise/noise_specification.h"
+#include "tests/noise/noise_specification.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "bakers/noise/cell_value.h"
 #include "bakers/noise/lattice_hash.h"
-#include "bakers/noise/moving_gradient.h"
 
 namespace skybake::noise {
 namespace {
+
+using config::WorleyFeature;
+using config::WorleyValue;
 
 // How far from its voxel a sample is, in tiles. Null: it is not displaced.
 using Displacement = std::array<float, 3>;
@@ -54,10 +55,27 @@ GradientBasis basis_at(float u) {
     return {weight_0, weight_1, u * weight_0, (u - 1) * weight_1};
 }
 
+struct MovingGradient {
+    float x = 0;
+    float y = 0;
+    float z = 0;
+    float rest = 0;
+};
+
+// A gradient of four dimensions at one time (gradient_blend-inl.h).
+MovingGradient gradient_at(const TimeStep& time, std::uint32_t x, std::uint32_t y,
+                           std::uint32_t z) {
+    const Gradient4 near = lattice_gradient_4(row_key(time.keys[0], y, z), x);
+    const Gradient4 far = lattice_gradient_4(row_key(time.keys[1], y, z), x);
+    const GradientBasis& b = time.basis;
+    return {near.x * b.weight_0 + far.x * b.weight_1, near.y * b.weight_0 + far.y * b.weight_1,
+            near.z * b.weight_0 + far.z * b.weight_1, near.t * b.distance_0 + far.t * b.distance_1};
+}
+
 // The octave's lattice has a gradient at each point, and a value beside it if it changes in time.
 MovingGradient gradient_of(const GradientOctave& octave, std::uint32_t x, std::uint32_t y,
                            std::uint32_t z) {
-    if (octave.time) return gradient_at(octave.time->basis, time_keys(*octave.time, y, z), x);
+    if (octave.time) return gradient_at(*octave.time, x, y, z);
     const Gradient gradient = lattice_gradient(row_key(octave.key, y, z), x);
     return {gradient.x, gradient.y, gradient.z, 0};
 }
@@ -121,6 +139,46 @@ struct NearestPoints {
         second = std::min(second, std::max(first, squared_distance));
         first = std::min(first, squared_distance);
     }
+};
+
+constexpr float kOneOverSqrt3 = 0x1.279a74p-1f;
+
+bool needs_no_root(WorleyFeature feature, WorleyValue form) {
+    return form == WorleyValue::one_minus_distance_squared && feature != WorleyFeature::f2_minus_f1;
+}
+
+// Returns the value from the squared distances to the nearest and to the second nearest point.
+float cell_value(WorleyFeature feature, WorleyValue form, float first, float second) {
+    if (needs_no_root(feature, form)) {
+        return std::max(0.0f, 1 - (feature == WorleyFeature::f1 ? first : second));
+    }
+    float distance = std::sqrt(feature == WorleyFeature::f1 ? first : second);
+    if (feature == WorleyFeature::f2_minus_f1) distance -= std::sqrt(first);
+    switch (form) {
+        case WorleyValue::distance:
+            return distance;
+        case WorleyValue::one_minus_distance:
+            return std::max(0.0f, 1 - distance);
+        case WorleyValue::one_minus_distance_over_sqrt3:
+            return 1 - distance * kOneOverSqrt3;
+        case WorleyValue::one_minus_distance_squared:
+            return std::max(0.0f, 1 - distance * distance);
+    }
+    return distance;
+}
+
+// The two greatest bumps at a place (cell_tile-inl.h).
+struct GreatestBumps {
+    float first = 0;
+    float second = 0;
+
+    void add(float squared_distance, float height) {
+        const float t = std::max(0.0f, 1 - std::sqrt(squared_distance));
+        const float bump = height * ((t * t) * (3 - 2 * t));
+        second = std::max(second, std::min(first, bump));
+        first = std::max(first, bump);
+    }
+    float value() const { return first - second; }
 };
 
 // Returns one octave of cellular noise: worley noise in its value form, from the nearest points
