@@ -174,6 +174,20 @@ bool is_resolved(const std::array<TileAxis, 3>& axes, const std::array<int, 3>& 
     return true;
 }
 
+NoisePlan tile_beyond(NoisePlan plan, std::size_t axis) {
+    const auto move = [axis](auto& octave) {
+        std::vector<std::int32_t>& cells = octave.cells[axis].cell;
+        const int period = octave.frequency[axis];
+        const int by = cells.front() < period ? period : -period;
+        for (std::int32_t& cell : cells) cell += by;
+    };
+    const auto move_all = [&](GradientStack& stack) { std::ranges::for_each(stack.octaves, move); };
+    std::ranges::for_each(plan.fields, move);
+    for (ChannelPlan& channel : plan.channels) move_all(channel.gradient);
+    for (WarpPlan& warp : plan.warps) std::ranges::for_each(warp, move_all);
+    return plan;
+}
+
 GradientBasis gradient_basis(const LatticePosition& position) {
     const auto [u, one_minus_u] = fraction_of(position);
     const double weight_0 = fade(one_minus_u);  // 1 - fade(u), without the cancellation

@@ -203,4 +203,8 @@ struct NoisePlan {
 
 NoisePlan make_noise_plan(const Noise& noise, const std::array<int, 3>& size);
 
+// Returns the plan whose voxels on a lower face are those a tile's length away: their cells are a
+// period of each lattice further on, or further back where the wind has carried them past the first.
+NoisePlan tile_beyond(NoisePlan plan, std::size_t axis);
+
 }  // namespace skybake::noise

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <utility>
 
@@ -91,10 +92,21 @@ ProbePlace place_of(const Cloud& cloud, const std::array<double, 3>& uvw) {
             {{uvw}}};
 }
 
-// A tile's length away maps and towers are asked again. Noise and volumes repeat there by the integers
-// of their voxels.
+// Returns the plan with the noises a tile's length away.
+cloud::CloudPlan tile_beyond(cloud::CloudPlan plan, std::size_t axis) {
+    for (auto* field : {&plan.base, &plan.detail}) {
+        if (*field == nullptr) continue;
+        *field =
+            std::make_shared<const noise::NoiseField>(noise::tile_beyond((*field)->plan(), axis));
+    }
+    return plan;
+}
+
+// A tile's length away noises, maps and towers are asked again. Volumes repeat there by the integers of
+// their voxels.
 double seam_error_of(const CloudField& field) {
     const cloud::CloudPlan& plan = field.plan();
+    const std::array beyond = {tile_beyond(plan, 0), tile_beyond(plan, 1)};
     return seam_error(
         field, plan.size, static_cast<std::size_t>(plan.channels), 2,
         [&](std::size_t axis, const VoxelBox& voxel, const std::vector<float*>& channels) {
@@ -103,7 +115,7 @@ double seam_error_of(const CloudField& field) {
             cloud::Columns column = cloud::make_columns(plan, far[0], 1, far[1], 1);
             column.first_x = voxel.origin[0];
             column.first_y = voxel.origin[1];
-            cloud::fill_cloud(plan, column, voxel, channels);
+            cloud::fill_cloud(beyond[axis], column, voxel, channels);
         });
 }
 

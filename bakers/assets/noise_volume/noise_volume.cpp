@@ -82,29 +82,11 @@ ProbePlace place_of(const std::array<int, 3>& size, NoiseSampling sampling,
     return place;
 }
 
-// Returns the plan whose voxels on a lower face are those a tile's length away: their cells are a
-// period of each lattice further on, or further back where the wind has carried them past the first.
-NoisePlan tile_beyond(NoisePlan plan, std::size_t axis) {
-    const auto move = [axis](auto& octave) {
-        std::vector<std::int32_t>& cells = octave.cells[axis].cell;
-        const int period = octave.frequency[axis];
-        const int by = cells.front() < period ? period : -period;
-        for (std::int32_t& cell : cells) cell += by;
-    };
-    const auto move_all = [&](noise::GradientStack& stack) {
-        std::ranges::for_each(stack.octaves, move);
-    };
-    std::ranges::for_each(plan.fields, move);
-    for (noise::ChannelPlan& channel : plan.channels) move_all(channel.gradient);
-    for (noise::WarpPlan& warp : plan.warps) std::ranges::for_each(warp, move_all);
-    return plan;
-}
-
 double seam_error_of(const NoiseField& field, const std::array<int, 3>& size) {
     const auto channels = static_cast<std::size_t>(field.plan().output_channels());
     std::vector<NoiseField> beyond;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        beyond.emplace_back(tile_beyond(field.plan(), axis));
+        beyond.emplace_back(noise::tile_beyond(field.plan(), axis));
     }
     return seam_error(field, size, channels, 3,
                       [&](std::size_t axis, const VoxelBox& voxel,
