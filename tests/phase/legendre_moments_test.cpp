@@ -19,15 +19,8 @@ using Moments = std::array<double, kDegree + 1>;
 Moments integrated(const PhaseFunction& phase) {
     const auto integrand = [&](double nu) {
         Moments value{};
-        double last = 1;
-        double before = 0;
         const double p = 2 * std::numbers::pi * phase_value(phase, 1 - nu, 1 + nu);
-        for (int l = 0; l <= kDegree; ++l) {
-            value[static_cast<std::size_t>(l)] = p * last;
-            const double next = ((2 * l + 1) * nu * last - l * before) / (l + 1);
-            before = last;
-            last = next;
-        }
+        for (unsigned l = 0; l <= kDegree; ++l) value[l] = p * std::legendre(l, nu);
         return value;
     };
     return adaptive_integral<Moments>(integrand, -1, 1, 1e-11, 1e-14, 40);
