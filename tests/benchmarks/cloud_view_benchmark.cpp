@@ -63,7 +63,7 @@ void march(benchmark::State& state, const std::string& preset, bool leaping) {
     settings.leaping = leaping;
     FetchCounts fetches;
     for (auto _ : state) {
-        const MarchedView view = march_view(scene.cloud, settings, threads);
+        const MarchedScene view = march_view(scene.cloud, settings, threads);
         benchmark::DoNotOptimize(view.results.texels.data());
         fetches = view.fetches;
     }
