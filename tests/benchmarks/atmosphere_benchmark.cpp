@@ -23,7 +23,6 @@
 #include "config/assets/multiple_scattering.h"
 #include "config/assets/transmittance.h"
 #include "config/recipe/recipe.h"
-#include "tests/benchmarks/run.h"
 #include "tests/support/multiple_scattering_as_in_paper.h"
 
 namespace skybake {
@@ -60,19 +59,7 @@ Spectrum optical_depth_by_steps(const Medium& medium, double altitude_km, double
         begin = end;
         const double altitude =
             std::clamp(altitude_along_km(shell, altitude_km, s_km, end), 0.0, shell.thickness_km);
-        for (const ExponentialLayer& layer : medium.exponential_layers) {
-            // The C library's exponential, faster than ours: a baseline must not be slow by choice,
-            // and no asset is made of it.
-            const double density = std::exp(-altitude / layer.scale_height_km);
-            depth += density * length_km * layer.extinction_per_km;
-        }
-        for (const PiecewiseLayer& layer : medium.piecewise_layers) {
-            for (const LinearPiece& piece : layer.pieces) {
-                if (altitude < piece.bottom_km || altitude > piece.top_km) continue;
-                depth += density_at(piece, altitude) * length_km * layer.extinction_per_km;
-                break;
-            }
-        }
+        depth += length_km * extinction_at(medium, altitude);
     }
     return depth;
 }
@@ -167,14 +154,16 @@ double rms_error(const std::vector<double>& psi) {
     return std::sqrt(sum / static_cast<double>(psi.size()));
 }
 
-void multiple_scattering_converged(benchmark::State& state, int level) {
-    const QuadratureLevel& quadrature = quadrature_levels()[static_cast<std::size_t>(level)];
+void multiple_scattering_converged(benchmark::State& state) {
+    const auto level = static_cast<std::size_t>(state.range(0)) - 1;
+    const QuadratureLevel& quadrature = quadrature_levels()[level];
     for (auto _ : state) benchmark::DoNotOptimize(multiple_scattering_table(quadrature));
     state.counters["rms"] = rms_error(multiple_scattering_table(quadrature));
 }
 
 // Wall clock on one and two threads at 512x512.
-void table_on_threads(benchmark::State& state, std::size_t section, int threads) {
+void table_on_threads(benchmark::State& state, std::size_t section) {
+    const auto threads = static_cast<int>(state.range(0));
     config::Bake bake = earth_recipe().parameters.bakes[section];
     constexpr std::array<int, 2> kSize = {512, 512};
     if (auto* asset = bake.find<config::TransmittanceBake>()) asset->size = kSize;
@@ -192,9 +181,10 @@ void table_on_threads(benchmark::State& state, std::size_t section, int threads)
 
 // Light of all orders at this many wavelengths, packet by packet. Air is the measured one, since
 // coefficients of other presets are those of three wavelengths.
-void light_of_wavelengths(benchmark::State& state, int count) {
+void light_of_wavelengths(benchmark::State& state) {
+    const std::int64_t count = state.range(0);
     std::string wavelengths;
-    for (int i = 0; i < count; ++i) {
+    for (std::int64_t i = 0; i < count; ++i) {
         wavelengths += fmt::format("{}\"{} nm\"", i > 0 ? ", " : "", 400 + 300 * i / count);
     }
     const config::Recipe recipe =
@@ -217,37 +207,16 @@ void light_of_wavelengths(benchmark::State& state, int count) {
     state.counters["packets"] = static_cast<double>(packets.size());
 }
 
+// "As in the paper", and in the middles of steps.
+BENCHMARK_CAPTURE(transmittance_by_steps, end_points, 40, StepRule::end_point);
+BENCHMARK_CAPTURE(transmittance_by_steps, midpoints, 40, StepRule::midpoint);
+BENCHMARK(transmittance_exact);
+BENCHMARK(multiple_scattering_by_paper);
+BENCHMARK(multiple_scattering_converged)
+    ->DenseRange(1, static_cast<int>(quadrature_levels().size()));
+BENCHMARK(light_of_wavelengths)->ArgsProduct({{3, 4, 8, 16, 40}});
+BENCHMARK_CAPTURE(table_on_threads, transmittance, 0)->Arg(1)->Arg(2)->UseManualTime();
+BENCHMARK_CAPTURE(table_on_threads, multiple_scattering, 1)->Arg(1)->Arg(2)->UseManualTime();
+
 }  // namespace
 }  // namespace skybake
-
-int main(int argc, char** argv) {
-    using namespace skybake;
-    using benchmark::kMillisecond;
-    const auto add = [](const std::string& name, auto function) {
-        return benchmark::RegisterBenchmark(name.c_str(), function)->Unit(kMillisecond);
-    };
-    add("transmittance 256x64, 40 steps, end points (as in the paper)",
-        [](benchmark::State& s) { transmittance_by_steps(s, 40, StepRule::end_point); });
-    add("transmittance 256x64, 40 steps, midpoints",
-        [](benchmark::State& s) { transmittance_by_steps(s, 40, StepRule::midpoint); });
-    add("transmittance 256x64, exact", transmittance_exact);
-    add("multiple scattering 32x32, as in the paper", multiple_scattering_by_paper);
-    for (int level = 0; level < static_cast<int>(quadrature_levels().size()); ++level) {
-        add("multiple scattering 32x32, converged, level " + std::to_string(level + 1),
-            [level](benchmark::State& s) { multiple_scattering_converged(s, level); });
-    }
-    for (const int count : {3, 4, 8, 16, 40}) {
-        add(fmt::format("light of all orders, {} wavelengths", count),
-            [count](benchmark::State& s) { light_of_wavelengths(s, count); });
-    }
-    for (const int threads : {1, 2}) {
-        add("transmittance 512x512, threads " + std::to_string(threads), [threads](
-                                                                             benchmark::State& s) {
-            table_on_threads(s, 0, threads);
-        })->UseManualTime();
-        add("multiple scattering 512x512, threads " + std::to_string(threads),
-            [threads](benchmark::State& s) { table_on_threads(s, 1, threads); })
-            ->UseManualTime();
-    }
-    return run_benchmarks(argc, argv, [] {});
-}

@@ -11,7 +11,6 @@
 
 #include "bakers/clouds/cloud_field.h"
 #include "config/recipe/recipe.h"
-#include "tests/benchmarks/run.h"
 
 namespace skybake::cloud {
 namespace {
@@ -29,18 +28,20 @@ CloudPlan plan_of(const std::string& text, const Size& size) {
 }
 
 // Box by box, as writers take them, into the same memory.
-void fill(benchmark::State& state, const VoxelSource* source, Size size, int channels) {
+void fill(benchmark::State& state, const VoxelSource& source, const CloudPlan& plan) {
+    const Size& size = plan.size;
     VoxelBox box{{}, {size[0], size[1], 16}};
     const auto plane = static_cast<std::size_t>(box.count());
-    AlignedFloats memory(plane * static_cast<std::size_t>(channels));
+    AlignedFloats memory(plane * static_cast<std::size_t>(plan.channels));
     std::vector<float*> targets;
-    for (int c = 0; c < channels; ++c) targets.push_back(memory.data() + plane * std::size_t(c));
+    for (int c = 0; c < plan.channels; ++c)
+        targets.push_back(memory.data() + plane * std::size_t(c));
     std::int64_t filled = 0;
     for (auto _ : state) {
         filled = 0;
         for (int z = 0; z < size[2]; z += box.size[2]) {
             box.origin[2] = z;
-            source->fill(box, targets);
+            source.fill(box, targets);
             benchmark::ClobberMemory();
             state.PauseTiming();
             filled += std::count_if(memory.begin(), memory.begin() + std::ptrdiff_t(plane),
@@ -53,6 +54,13 @@ void fill(benchmark::State& state, const VoxelSource* source, Size size, int cha
     state.counters["filled"] = static_cast<double>(filled) / voxels;
 }
 
+void cloud(benchmark::State& state, const std::string& text, const Size& size) {
+    const CloudPlan plan = plan_of(text, size);
+    fill(state, CloudField(plan), plan);
+}
+
+const Size kThesisSize = {128, 128, 128};
+const Size kWide = {512, 512, 128};
 const std::string kThesis =
     "[noise.shape]\npreset = 'thesis'\n[clouds.thesis]\npreset = 'thesis'\n";
 
@@ -73,27 +81,15 @@ const std::string kTowers = cumulus(
     " { center = [0.7, 0.6], sigma = [0.05, 0.07], amplitude = 0.9 }]\n");
 const std::string kCoverage = cumulus("coverage = '5 %'\n");
 
-void register_all() {
-    const auto add = [](const char* name, const CloudPlan& plan) {
-        const auto* field = new CloudField(plan);
-        benchmark::RegisterBenchmark(name, fill, field, plan.size, plan.channels)
-            ->Unit(benchmark::kMillisecond);
-    };
-    const Size thesis_size = {128, 128, 128};
-    const CloudPlan thesis = plan_of(kThesis, thesis_size);
-    add("thesis_128", thesis);
-    benchmark::RegisterBenchmark("thesis_128_noise_alone", fill, thesis.base.get(), thesis_size,
-                                 thesis.channels)
-        ->Unit(benchmark::kMillisecond);
-    const Size wide = {512, 512, 128};
-    add("cumulus_512_full", plan_of(kFull, wide));
-    add("cumulus_512_towers", plan_of(kTowers, wide));
-    add("cumulus_512_coverage_5_percent", plan_of(kCoverage, wide));
+void thesis_noise_alone(benchmark::State& state) {
+    const CloudPlan thesis = plan_of(kThesis, kThesisSize);
+    fill(state, *thesis.base, thesis);
 }
+BENCHMARK(thesis_noise_alone);
+BENCHMARK_CAPTURE(cloud, thesis_128, kThesis, kThesisSize);
+BENCHMARK_CAPTURE(cloud, cumulus_512_full, kFull, kWide);
+BENCHMARK_CAPTURE(cloud, cumulus_512_towers, kTowers, kWide);
+BENCHMARK_CAPTURE(cloud, cumulus_512_coverage_5_percent, kCoverage, kWide);
 
 }  // namespace
 }  // namespace skybake::cloud
-
-int main(int argc, char** argv) {
-    return skybake::run_benchmarks(argc, argv, skybake::cloud::register_all);
-}

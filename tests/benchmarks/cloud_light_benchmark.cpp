@@ -67,12 +67,9 @@ void sky(benchmark::State& state, const std::string& preset) {
     for (auto _ : state) bake_texels(layer, bake);
 }
 
-BENCHMARK_CAPTURE(sixteen_suns, cumulus_mediocris, "cumulus_mediocris")
-    ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(sixteen_suns, stratus, "stratus")->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(sky, cumulus_mediocris, "cumulus_mediocris")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(sixteen_suns, cumulus_mediocris, "cumulus_mediocris");
+BENCHMARK_CAPTURE(sixteen_suns, stratus, "stratus");
+BENCHMARK_CAPTURE(sky, cumulus_mediocris, "cumulus_mediocris");
 
 }  // namespace
 }  // namespace skybake::cloud_light
-
-BENCHMARK_MAIN();

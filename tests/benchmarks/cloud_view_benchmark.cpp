@@ -12,7 +12,6 @@
 #include "bakers/preview/bake_assets.h"
 #include "bakers/render/cloud_framing.h"
 #include "config/recipe/recipe.h"
-#include "tests/benchmarks/run.h"
 #include "tests/support/cloud_marches.h"
 
 namespace skybake {
@@ -53,18 +52,18 @@ Scene make_scene(const std::string& preset) {
 
 const Scene& scene_of(const std::string& preset) {
     static std::map<std::string, Scene> scenes;
-    const auto found = scenes.find(preset);
-    return found != scenes.end() ? found->second
-                                 : scenes.emplace(preset, make_scene(preset)).first->second;
+    if (!scenes.contains(preset)) scenes.emplace(preset, make_scene(preset));
+    return scenes.at(preset);
 }
 
-void march(benchmark::State& state, const std::string& preset, bool leaping, int threads) {
+void march(benchmark::State& state, const std::string& preset, bool leaping) {
+    const auto threads = static_cast<int>(state.range(0));
     const Scene& scene = scene_of(preset);
     MarchSettings settings = scene.settings;
     settings.leaping = leaping;
     FetchCounts fetches;
     for (auto _ : state) {
-        const MarchedView view = march_view(scene.cloud, settings, threads);
+        const MarchedScene view = march_view(scene.cloud, settings, threads);
         benchmark::DoNotOptimize(view.results.texels.data());
         fetches = view.fetches;
     }
@@ -74,7 +73,8 @@ void march(benchmark::State& state, const std::string& preset, bool leaping, int
     state.counters["grid"] = static_cast<double>(fetches.cells) / pixels;
 }
 
-void picture(benchmark::State& state, const std::string& preset, int threads) {
+void picture(benchmark::State& state, const std::string& preset) {
+    const auto threads = static_cast<int>(state.range(0));
     const Scene& scene = scene_of(preset);
     for (auto _ : state) {
         benchmark::DoNotOptimize(
@@ -82,27 +82,25 @@ void picture(benchmark::State& state, const std::string& preset, int threads) {
     }
 }
 
-void register_all() {
-    const auto add = [](const std::string& name, auto function, auto... arguments) {
-        benchmark::RegisterBenchmark(name.c_str(), function, arguments...)
-            ->Unit(benchmark::kMillisecond)
-            ->MeasureProcessCPUTime()
-            ->UseRealTime();
-    };
-    for (const std::string preset :
-         {"cumulus_congestus", "cumulus_humilis", "stratocumulus", "stratus"}) {
-        for (const int threads : {1, 2}) {
-            const std::string suffix = "/threads:" + std::to_string(threads);
-            add("march/" + preset + "/leaping" + suffix, march, preset, true, threads);
-            add("march/" + preset + "/straight" + suffix, march, preset, false, threads);
-            add("picture/" + preset + suffix, picture, preset, threads);
-        }
-    }
+void leaping(benchmark::State& state, const std::string& preset) { march(state, preset, true); }
+void straight(benchmark::State& state, const std::string& preset) { march(state, preset, false); }
+
+// The argument is the number of threads.
+void on_threads(benchmark::internal::Benchmark* benchmark) {
+    benchmark->Arg(1)->Arg(2)->MeasureProcessCPUTime()->UseRealTime();
 }
+BENCHMARK_CAPTURE(leaping, congestus, "cumulus_congestus")->Apply(on_threads);
+BENCHMARK_CAPTURE(straight, congestus, "cumulus_congestus")->Apply(on_threads);
+BENCHMARK_CAPTURE(picture, congestus, "cumulus_congestus")->Apply(on_threads);
+BENCHMARK_CAPTURE(leaping, humilis, "cumulus_humilis")->Apply(on_threads);
+BENCHMARK_CAPTURE(straight, humilis, "cumulus_humilis")->Apply(on_threads);
+BENCHMARK_CAPTURE(picture, humilis, "cumulus_humilis")->Apply(on_threads);
+BENCHMARK_CAPTURE(leaping, stratocumulus, "stratocumulus")->Apply(on_threads);
+BENCHMARK_CAPTURE(straight, stratocumulus, "stratocumulus")->Apply(on_threads);
+BENCHMARK_CAPTURE(picture, stratocumulus, "stratocumulus")->Apply(on_threads);
+BENCHMARK_CAPTURE(leaping, stratus, "stratus")->Apply(on_threads);
+BENCHMARK_CAPTURE(straight, stratus, "stratus")->Apply(on_threads);
+BENCHMARK_CAPTURE(picture, stratus, "stratus")->Apply(on_threads);
 
 }  // namespace
 }  // namespace skybake
-
-int main(int argc, char** argv) {
-    return skybake::run_benchmarks(argc, argv, skybake::register_all);
-}

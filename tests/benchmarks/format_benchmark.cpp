@@ -5,8 +5,6 @@
 // Run with --benchmark_repetitions=9 --benchmark_enable_random_interleaving=true
 // --benchmark_report_aggregates_only=true.
 #include <benchmark/benchmark.h>
-#include <sys/mman.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <memory>
@@ -16,8 +14,8 @@
 #include "bakers/field/bc4.h"
 #include "bakers/field/bc6h.h"
 #include "bakers/io/formats/format.h"
-#include "tests/benchmarks/run.h"
 #include "tests/support/loops.h"
+#include "tests/support/memory_file.h"
 #include "tests/support/volumes.h"
 
 namespace skybake {
@@ -58,14 +56,12 @@ void write_format(benchmark::State& state, FileFormat format, PixelType type, in
     Baked volume = testing::plain_volume({edge, edge, edge}, channels, type);
     volume.levels[0].voxels = held();
     volume.ktx2_compression = config::Ktx2Compression::none;
-    const int descriptor = memfd_create("benchmark", 0);
-    const std::string path = "/proc/self/fd/" + std::to_string(descriptor);
+    const testing::MemoryFile file;
     for (auto _ : state) {
-        const auto written = format_of(format).write({volume, 0, "{}", 1, nullptr}, path);
+        const auto written = format_of(format).write({volume, 0, "{}", 1, nullptr}, file.path());
         if (written.value != true) state.SkipWithError("not written");
     }
-    state.SetBytesProcessed(state.iterations() * lseek(descriptor, 0, SEEK_END));
-    close(descriptor);
+    state.SetBytesProcessed(state.iterations() * file.size());
 }
 
 // Encoding planes of blocks; items are voxels of a channel.
@@ -102,7 +98,3 @@ BENCHMARK_CAPTURE(encode_blocks, bc6h, true);
 
 }  // namespace
 }  // namespace skybake
-
-int main(int argc, char** argv) {
-    return skybake::run_benchmarks(argc, argv, [] {});
-}

@@ -15,12 +15,13 @@
 #include <string>
 #include <vector>
 
+#include "bakers/math/memory.h"
 #include "bakers/occupancy/cell_range.h"
 #include "bakers/occupancy/leap_distance.h"
 #include "bakers/occupancy/occupied_cells.h"
 #include "config/assets/occupancy_filter.h"
-#include "tests/benchmarks/run.h"
-#include "tests/support/every_target.h"
+#include "tests/benchmarks/on_target.h"
+#include "tests/occupancy/volumes_in_memory.h"
 #include "tests/support/loops.h"
 
 namespace skybake::occupancy {
@@ -28,20 +29,12 @@ namespace {
 
 using config::OccupancyFilter;
 
-// Multiples of 2^-24 in [0, 1), none like its neighbour: no cell is easier than another.
-float noise_at(std::size_t index) {
-    auto bits = static_cast<std::uint32_t>(index);
-    bits = (bits ^ (bits >> 16)) * 0x7feb352dU;
-    bits = (bits ^ (bits >> 15)) * 0x846ca68bU;
-    return static_cast<float>(bits >> 8) * 0x1p-24F;
-}
-
+// Numbers in [0, 1), none like its neighbour: no cell is easier than another.
 const AlignedFloats& noise_volume(int size) {
     static AlignedFloats voxels;
-    const std::size_t count = count_of({size, size, size});
-    if (voxels.size() != count) {
-        voxels.resize(count);
-        for (std::size_t i = 0; i < count; ++i) voxels[i] = noise_at(i);
+    voxels.resize(count_of({size, size, size}));
+    for (std::size_t i = 0; i < voxels.size(); ++i) {
+        voxels[i] = test::share_of(test::mixed(static_cast<std::uint32_t>(i)));
     }
     return voxels;
 }
@@ -51,8 +44,9 @@ void count_bytes(benchmark::State& state, const AlignedFloats& voxels) {
                             static_cast<std::int64_t>(voxels.size() * sizeof(float)));
 }
 
-void ranges(benchmark::State& state, OccupancyFilter filter, int size, int cell) {
-    const AlignedFloats& voxels = noise_volume(size);
+void ranges_of(benchmark::State& state, const AlignedFloats& voxels, OccupancyFilter filter,
+               int cell) {
+    const auto size = static_cast<int>(state.range(0));
     const CellGrid grid{{size, size, size}, cell};
     for (auto _ : state) {
         benchmark::DoNotOptimize(cell_ranges(voxels.data(), grid, filter));
@@ -60,24 +54,26 @@ void ranges(benchmark::State& state, OccupancyFilter filter, int size, int cell)
     count_bytes(state, voxels);
 }
 
-// Ranges of cells like those of clouds, all of which are in the lower eighth.
-void ranges_of_layer(benchmark::State& state, int size) {
-    AlignedFloats voxels = noise_volume(size);
-    std::fill(voxels.begin() + static_cast<std::ptrdiff_t>(voxels.size() / 8), voxels.end(), 0.0F);
-    const CellGrid grid{{size, size, size}, 4};
-    for (auto _ : state) {
-        benchmark::DoNotOptimize(cell_ranges(voxels.data(), grid, OccupancyFilter::trilinear));
-    }
-    count_bytes(state, voxels);
+// Arguments are voxels along an edge of the volume and of a cell.
+void ranges(benchmark::State& state, OccupancyFilter filter) {
+    ranges_of(state, noise_volume(static_cast<int>(state.range(0))), filter,
+              static_cast<int>(state.range(1)));
 }
 
-void ranges_on(benchmark::State& state, std::int64_t target, int size) {
-    test::on_target(target, [&] { ranges(state, OccupancyFilter::trilinear, size, 4); });
+// Ranges of cells like those of clouds, all of which are in the lower eighth.
+void ranges_of_layer(benchmark::State& state) {
+    AlignedFloats voxels = noise_volume(static_cast<int>(state.range(0)));
+    std::fill(voxels.begin() + static_cast<std::ptrdiff_t>(voxels.size() / 8), voxels.end(), 0.0F);
+    ranges_of(state, voxels, OccupancyFilter::trilinear, 4);
+}
+
+void ranges_on(benchmark::State& state, std::int64_t target) {
+    on_target(state, target, [&] { ranges(state, OccupancyFilter::trilinear); });
 }
 
 // The time of reading alone.
-void reads(benchmark::State& state, int size) {
-    const AlignedFloats& voxels = noise_volume(size);
+void reads(benchmark::State& state) {
+    const AlignedFloats& voxels = noise_volume(static_cast<int>(state.range(0)));
     const auto* words = reinterpret_cast<const unsigned char*>(voxels.data());
     for (auto _ : state) {
         std::array<std::uint64_t, 4> sums{};
@@ -91,54 +87,32 @@ void reads(benchmark::State& state, int size) {
     count_bytes(state, voxels);
 }
 
-// A layer of clouds over a fifth of the height: about one cell in eight is occupied.
-OccupiedCells cloud_layer(int size) {
-    OccupiedCells cells{{size, size, size}, {}};
+// Calls a function of (x, y, z) that says which cells of 128³ are occupied.
+template <class Occupied>
+void leaps(benchmark::State& state, const Occupied& is_occupied) {
+    OccupiedCells cells{{128, 128, 128}, {}};
     testing::for_each_voxel(cells.size, [&](int x, int y, int z) {
-        const double wave = std::sin(x * 0.2) + std::sin(y * 0.17) + std::sin(z * 0.3);
-        cells.occupied.push_back(5 * z < size && wave > 0.3 ? 1 : 0);
+        cells.occupied.push_back(is_occupied(x, y, z) ? 1 : 0);
     });
-    return cells;
-}
-
-void leaps(benchmark::State& state, const OccupiedCells& cells) {
     for (auto _ : state) benchmark::DoNotOptimize(leap_distance(cells));
-    state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations()) *
-                            static_cast<std::int64_t>(cells.occupied.size()));
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(cells.occupied.size()));
 }
 
-void register_all() {
-    const auto add = [](const std::string& name, const auto&... arguments) {
-        benchmark::RegisterBenchmark(name.c_str(), arguments...)->Unit(benchmark::kMillisecond);
-    };
-    for (const int size : {128, 512}) {
-        const std::string of = '_' + std::to_string(size);
-        add("read" + of, reads, size);
-        add("range_nearest" + of, ranges, OccupancyFilter::nearest, size, 4);
-        for (const int cell : {2, 4, 8, 16}) {
-            add("range_trilinear" + of + "_cell" + std::to_string(cell), ranges,
-                OccupancyFilter::trilinear, size, cell);
-        }
-        add("range_trilinear" + of + "_layer", ranges_of_layer, size);
-        add("range_tricubic" + of, ranges, OccupancyFilter::tricubic, size, 4);
-        for (const auto& [on, target] :
-             {std::pair<const char*, std::int64_t>{"_on_avx512", HWY_AVX3},
-              {"_on_avx2", HWY_AVX2}}) {
-            if ((hwy::SupportedTargets() & target) == 0) continue;
-            add("range_trilinear" + of + on, ranges_on, target, size);
-        }
-    }
-    add("leap_128_cloud_layer", leaps, cloud_layer(128));
-    OccupiedCells cells{{128, 128, 128}, std::vector<std::uint8_t>(128 * 128 * 128)};
-    cells.occupied[0] = 1;
-    add("leap_128_single_cell", leaps, cells);
-    for (std::size_t i = 0; i < cells.occupied.size(); i += 7) cells.occupied[i] = 1;
-    add("leap_128_one_cell_in_seven", leaps, cells);
-}
+BENCHMARK(reads)->Arg(128)->Arg(512);
+BENCHMARK_CAPTURE(ranges, nearest, OccupancyFilter::nearest)->ArgsProduct({{128, 512}, {4}});
+BENCHMARK_CAPTURE(ranges, trilinear, OccupancyFilter::trilinear)
+    ->ArgsProduct({{128, 512}, {2, 4, 8, 16}});
+BENCHMARK_CAPTURE(ranges, tricubic, OccupancyFilter::tricubic)->ArgsProduct({{128, 512}, {4}});
+BENCHMARK(ranges_of_layer)->Arg(128)->Arg(512);
+BENCHMARK_CAPTURE(ranges_on, avx512, HWY_AVX3)->ArgsProduct({{128, 512}, {4}});
+BENCHMARK_CAPTURE(ranges_on, avx2, HWY_AVX2)->ArgsProduct({{128, 512}, {4}});
+// A layer of clouds over a fifth of the height: about one cell in eight is occupied.
+BENCHMARK_CAPTURE(leaps, cloud_layer, [](int x, int y, int z) {
+    return 5 * z < 128 && std::sin(x * 0.2) + std::sin(y * 0.17) + std::sin(z * 0.3) > 0.3;
+});
+BENCHMARK_CAPTURE(leaps, single_cell, [](int x, int y, int z) { return x + y + z == 0; });
+BENCHMARK_CAPTURE(leaps, one_cell_in_seven,
+                  [](int x, int y, int z) { return ((z * 128 + y) * 128 + x) % 7 == 0; });
 
 }  // namespace
 }  // namespace skybake::occupancy
-
-int main(int argc, char** argv) {
-    return skybake::run_benchmarks(argc, argv, skybake::occupancy::register_all);
-}

@@ -11,13 +11,12 @@
 
 #include "bakers/light/path_tracer/path_tracer.h"
 #include "config/recipe/recipe.h"
-#include "tests/benchmarks/run.h"
 #include "tests/support/sky_truth.h"
 
 namespace skybake {
 namespace {
 
-// Earth with the given g, or one of its channels alone.
+// Earth with the given g.
 SkyMedium earth(const std::string& g, const std::vector<std::string>& more = {}) {
     std::vector<std::string> settings = {"atmosphere.ground_albedo=0",
                                          "atmosphere.layers.mie.g=" + g};
@@ -56,29 +55,22 @@ void make_tracer(benchmark::State& state) {
     for (auto _ : state) benchmark::DoNotOptimize(PathMedium(medium));
 }
 
+BENCHMARK(make_tracer);
+
+// One of Earth's channels alone.
+SkyMedium one_channel(const std::string& nm, const std::string& rayleigh,
+                      const std::string& ozone) {
+    return earth("0.8", {"wavelengths=[\"" + nm + " nm\"]",
+                         "atmosphere.layers.rayleigh.scattering=\"" + rayleigh + "e-6 /m\"",
+                         "atmosphere.layers.ozone.absorption=\"" + ozone + "e-6 /m\""});
+}
+
+BENCHMARK_CAPTURE(walk_sky, three_channels_share_paths, earth("0.8"));
+BENCHMARK_CAPTURE(walk_sky, 680_nm_alone, one_channel("680", "5.802", "0.650"));
+BENCHMARK_CAPTURE(walk_sky, 550_nm_alone, one_channel("550", "13.558", "1.881"));
+BENCHMARK_CAPTURE(walk_sky, 440_nm_alone, one_channel("440", "33.1", "0.085"));
+BENCHMARK_CAPTURE(walk_sky, g_0_95, earth("0.95"));
+BENCHMARK_CAPTURE(walk_sky, g_0, earth("0"));
+
 }  // namespace
 }  // namespace skybake
-
-int main(int argc, char** argv) {
-    using namespace skybake;
-    const auto add = [](const std::string& name, const SkyMedium& medium) {
-        benchmark::RegisterBenchmark(name.c_str(), [medium](benchmark::State& state) {
-            walk_sky(state, medium);
-        })->Unit(benchmark::kMillisecond);
-    };
-    add("sky, three channels share paths", earth("0.8"));
-    add("sky, 680 nm alone", earth("0.8", {"wavelengths=[\"680 nm\"]",
-                                           "atmosphere.layers.rayleigh.scattering=\"5.802e-6 /m\"",
-                                           "atmosphere.layers.ozone.absorption=\"0.650e-6 /m\""}));
-    add("sky, 550 nm alone", earth("0.8", {"wavelengths=[\"550 nm\"]",
-                                           "atmosphere.layers.rayleigh.scattering=\"13.558e-6 /m\"",
-                                           "atmosphere.layers.ozone.absorption=\"1.881e-6 /m\""}));
-    add("sky, 440 nm alone", earth("0.8", {"wavelengths=[\"440 nm\"]",
-                                           "atmosphere.layers.rayleigh.scattering=\"33.1e-6 /m\"",
-                                           "atmosphere.layers.ozone.absorption=\"0.085e-6 /m\""}));
-    add("sky, g 0.95", earth("0.95"));
-    add("sky, g 0", earth("0"));
-    benchmark::RegisterBenchmark("shells and their tables", make_tracer)
-        ->Unit(benchmark::kMillisecond);
-    return run_benchmarks(argc, argv, [] {});
-}

@@ -7,9 +7,8 @@
 #include <string>
 
 #include "bakers/preview/pictures/sky_reference.h"
-#include "tests/benchmarks/run.h"
+#include "tests/benchmarks/on_target.h"
 #include "tests/preview/skies.h"
-#include "tests/support/every_target.h"
 
 namespace skybake {
 namespace {
@@ -29,7 +28,7 @@ void sky_dome(benchmark::State& state) {
 void sky_dome_on(benchmark::State& state, std::int64_t target) {
     const SkyView view = test::dome(512, 0.2, 10);
     earth();
-    test::on_target(target, [&] {
+    on_target(state, target, [&] {
         for (auto _ : state) {
             benchmark::DoNotOptimize(render_sky(earth().medium, earth().tables, view, 1));
         }
@@ -46,28 +45,11 @@ void sky_by_direct_integration(benchmark::State& state) {
     }
 }
 
-void register_all() {
-    const auto add = [](const std::string& name, auto... function) {
-        return benchmark::RegisterBenchmark(name.c_str(), function...)
-            ->Unit(benchmark::kMillisecond)
-            ->UseRealTime();
-    };
-    for (const int sun : {60, 10, 0, -4}) {
-        for (const int threads : {1, 2}) {
-            add("sky/dome_512", sky_dome)->Args({sun, threads});
-            add("sky/direct_128", sky_by_direct_integration)->Args({sun, threads});
-        }
-    }
-    // Adds a benchmark for each of the targets that the compiler made.
-    for (std::int64_t left = hwy::SupportedTargets() & HWY_TARGETS; left != 0; left &= left - 1) {
-        const std::int64_t target = left & -left;
-        add(std::string("sky/dome_512_one_thread/") + hwy::TargetName(target), sky_dome_on, target);
-    }
-}
+BENCHMARK(sky_dome)->ArgsProduct({{60, 10, 0, -4}, {1, 2}})->UseRealTime();
+BENCHMARK(sky_by_direct_integration)->ArgsProduct({{60, 10, 0, -4}, {1, 2}})->UseRealTime();
+BENCHMARK_CAPTURE(sky_dome_on, avx512, HWY_AVX3)->UseRealTime();
+BENCHMARK_CAPTURE(sky_dome_on, avx2, HWY_AVX2)->UseRealTime();
+BENCHMARK_CAPTURE(sky_dome_on, sse4, HWY_SSE4)->UseRealTime();
 
 }  // namespace
 }  // namespace skybake
-
-int main(int argc, char** argv) {
-    return skybake::run_benchmarks(argc, argv, skybake::register_all);
-}

@@ -13,7 +13,6 @@
 #include <tbb/global_control.h>
 
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <string>
@@ -21,7 +20,7 @@
 #include "bakers/field/baked.h"
 #include "bakers/field/voxel_array.h"
 #include "bakers/io/formats/vdb/vdb_file.h"
-#include "tests/benchmarks/run.h"
+#include "tests/support/memory_file.h"
 #include "tests/support/volumes.h"
 
 namespace skybake {
@@ -49,13 +48,8 @@ std::shared_ptr<const VoxelArray> balls() {
 }
 
 Baked volume_of_balls() {
-    Baked volume;
-    volume.channel_names = {"Y"};
+    Baked volume = testing::plain_volume(whole.size, 1, PixelType::half);
     volume.sparse = true;
-    volume.voxel_size_m = {10, 10, 10};
-    volume.up_axis = "+z";
-    volume.levels.resize(1);
-    volume.levels[0].size = whole.size;
     volume.levels[0].voxels = balls();
     volume.levels[0].content_hash = "0123456789abcdef0123456789abcdef";
     return volume;
@@ -74,17 +68,6 @@ openvdb::FloatGrid::Ptr grid_of_balls() {
     return grid;
 }
 
-// A file in memory that vanishes.
-class MemoryFile {
-  public:
-    MemoryFile() { std::ofstream file(path_); }
-    ~MemoryFile() { std::filesystem::remove(path_); }
-    const std::filesystem::path& path() const { return path_; }
-
-  private:
-    const std::filesystem::path path_ = "/dev/shm/skybake_vdb_benchmark.vdb";
-};
-
 double status_kib(const std::string& wanted) {
     std::ifstream status("/proc/self/status");
     std::string name;
@@ -97,60 +80,43 @@ double status_kib(const std::string& wanted) {
 
 template <class Write>
 void measure(benchmark::State& state, Write&& write) {
-    const MemoryFile file;
+    const testing::MemoryFile file;
     ::malloc_trim(0);
     std::ofstream("/proc/self/clear_refs") << "5";  // the peak begins anew
     const double before = status_kib("VmRSS:");
     write(file.path());
     const double peak = status_kib("VmHWM:") - before;
     for (auto _ : state) write(file.path());
-    const auto bytes = static_cast<double>(std::filesystem::file_size(file.path()));
+    const auto bytes = static_cast<double>(file.size());
     state.counters["file_MiB"] = bytes / (1 << 20);
     state.counters["peak_memory"] = peak * 1024 / bytes;
 }
 
-void write_with_skybake(benchmark::State& state, int threads, std::size_t most_kept_bytes) {
+void write_with_skybake(benchmark::State& state, std::size_t most_kept_bytes) {
+    const auto threads = static_cast<int>(state.range(0));
     const Baked volume = volume_of_balls();
-    measure(state, [&](const std::filesystem::path& path) {
+    measure(state, [&](const std::string& path) {
         const auto written = write_vdb(volume, 0, {}, threads, nullptr, path, most_kept_bytes);
         if (!written.value) state.SkipWithError(written.diagnostics.at(0).message.c_str());
     });
 }
 
-void write_with_openvdb(benchmark::State& state, int threads) {
+void write_with_openvdb(benchmark::State& state) {
     static const openvdb::FloatGrid::Ptr grid = grid_of_balls();
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
-                                    static_cast<std::size_t>(threads));
+                                    static_cast<std::size_t>(state.range(0)));
     state.counters["active"] =
         static_cast<double>(grid->activeVoxelCount()) / static_cast<double>(whole.count());
-    measure(state, [&](const std::filesystem::path& path) {
-        openvdb::io::File file(path.string());
+    measure(state, [&](const std::string& path) {
+        openvdb::io::File file(path);
         file.setCompression(openvdb::io::COMPRESS_ACTIVE_MASK | openvdb::io::COMPRESS_BLOSC);
         file.write(openvdb::GridPtrVec{grid});
     });
 }
 
-void register_all() {
-    for (const int threads : {1, 2}) {
-        const auto named = [&](const std::string& name) {
-            return name + "_wall_threads" + std::to_string(threads);
-        };
-        const auto in_milliseconds = [](benchmark::internal::Benchmark* b) {
-            b->Unit(benchmark::kMillisecond)->UseRealTime();
-        };
-        using benchmark::RegisterBenchmark;
-        in_milliseconds(
-            RegisterBenchmark(named("vdb_512_openvdb").c_str(), write_with_openvdb, threads));
-        in_milliseconds(RegisterBenchmark(named("vdb_512").c_str(), write_with_skybake, threads,
-                                          vdb_most_kept_bytes));
-        in_milliseconds(RegisterBenchmark(named("vdb_512_nothing_kept").c_str(), write_with_skybake,
-                                          threads, std::size_t{0}));
-    }
-}
+BENCHMARK(write_with_openvdb)->Arg(1)->Arg(2)->UseRealTime();
+BENCHMARK_CAPTURE(write_with_skybake, as_usual, vdb_most_kept_bytes)->Arg(1)->Arg(2)->UseRealTime();
+BENCHMARK_CAPTURE(write_with_skybake, nothing_kept, 0)->Arg(1)->Arg(2)->UseRealTime();
 
 }  // namespace
 }  // namespace skybake
-
-int main(int argc, char** argv) {
-    return skybake::run_benchmarks(argc, argv, skybake::register_all);
-}

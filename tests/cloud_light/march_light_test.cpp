@@ -77,10 +77,6 @@ View view_of(int i) {
     return view;
 }
 
-View turned(const View& view) {
-    return {glm::dvec3(kSize[0], kSize[1], kSize[2]) - view.place, -view.look};
-}
-
 struct Seen {
     double sun = 0;
     double sky = 0;  // with the sky behind
@@ -93,7 +89,8 @@ std::vector<Seen> marched(const CloudMedium& medium, const SunDirection& sun,
                           const LightInCloud* light, bool is_turned = false) {
     std::vector<Seen> seen(kViews);
     parallel_for(kViews, kThreads, [&](int i) {
-        const View view = is_turned ? turned(view_of(i)) : view_of(i);
+        View view = view_of(i);
+        if (is_turned) view = {glm::dvec3(kSize[0], kSize[1], kSize[2]) - view.place, -view.look};
         const glm::dvec3 from = view.place * kVoxel_m + glm::dvec3(0, 0, kBase_m);
         MarchSteps steps;
         steps.step_m = 10;

@@ -14,21 +14,12 @@
 namespace skybake::cloud_light {
 namespace {
 
-BakeOptions on(int threads) { return {.threads = threads}; }
-
 CloudScattering henyey_greenstein(double g, double albedo) {
     return {{{1, make_phase_function(config::Phase::henyey_greenstein, g)}}, albedo};
 }
 
 // A slab of a vertical optical depth, 48 voxels of 8 m high.
 CloudLayer slab(double depth) { return test::layer_of({3, 2, 48}, 1, depth / (8 * 48)); }
-
-LayerSources sun_at(double cosine, double irradiance) {
-    LayerSources sources;
-    sources.sun = irradiance;
-    sources.sun_direction = towards(std::asin(cosine), 0.3);
-    return sources;
-}
 
 TEST(Radiance, OfASlabLeavesAsDoublingSays) {
     for (const bool isotropic : {true, false}) {
@@ -40,7 +31,9 @@ TEST(Radiance, OfASlabLeavesAsDoublingSays) {
             {{1, make_phase_function(isotropic ? config::Phase::isotropic : config::Phase::rayleigh,
                                      0)}},
             0.9};
-        const LayerSources sources = sun_at(0.6, 1);
+        LayerSources sources;
+        sources.sun = 1;
+        sources.sun_direction = towards(std::asin(0.6), 0.3);
         for (const bool up : {true, false}) {
             const glm::dvec3 look =
                 towards((up ? -1 : 1) * std::asin(0.5), 0.3 + std::numbers::pi / 2);
@@ -100,8 +93,9 @@ TEST(Radiance, AroundTheSunIsThatOfDoublingByForwardScattering) {
     for (const double depth : {0.5, 8.0}) {
         const test::DoubledSlab wanted(depth, 1, moments, 1, sources.sun, cosines);
         const CloudLayer layer = slab(depth);
-        const SolvedRadiance solved = solve_radiance(layer, place_grid(layer.size, 1, false),
-                                                     scattering, kMostDegree, sources, on(2));
+        const SolvedRadiance solved =
+            solve_radiance(layer, place_grid(layer.size, 1, false), scattering, kMostDegree,
+                           sources, {.threads = 2});
         test::LightTextures textures = test::textures_of(layer, solved, sources);
         const auto error = [&](std::size_t view) {
             double passed = 1;

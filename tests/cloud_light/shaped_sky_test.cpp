@@ -38,7 +38,6 @@ CellFields solved(const CloudLayer& layer, const CloudScattering& scattering,
 }
 
 double gradient(const glm::dvec3& d) { return 1 + 0.9 * d.x - 0.3 * d.y + 0.4 * (1 - d.z); }
-double flipped_gradient(const glm::dvec3& d) { return gradient({-d.x, -d.y, d.z}); }
 
 TEST(ShapedSky, UniformHasTheBitsOfNoShape) {
     const CloudLayer layer = test::rough_layer({9, 6, 7}, 0.4);
@@ -107,13 +106,6 @@ class SlabUnderSuns {
     std::vector<test::DoubledSlab> slabs_;
 };
 
-// The scattered light of paths: all but the sky that is seen through the slab.
-TracedRadiance traced(const CloudLayer& layer, const CloudScattering& scattering,
-                      const LayerSources& sources, const glm::dvec3& look) {
-    const CloudPaths paths(layer, scattering, sources, 2);
-    return paths.trace({1, 1, look.z < 0 ? layer.size[2] : 0}, look, 20000, 3, 0);
-}
-
 TEST(ShapedSky, OnASlabIsThatOfDoublingAndOfPaths) {
     constexpr double kDepth = 2;
     constexpr double kAlbedo = 0.95;
@@ -127,11 +119,15 @@ TEST(ShapedSky, OnASlabIsThatOfDoublingAndOfPaths) {
         EXPECT_NEAR(test::marched_from_outside(layer, rayleigh(kAlbedo), sources, look) - seen,
                     wanted, 0.01 * wanted)
             << up;
-        const TracedRadiance paths = traced(layer, rayleigh(kAlbedo), sources, look);
+        // All that they see but the sky itself.
+        const TracedRadiance paths =
+            CloudPaths(layer, rayleigh(kAlbedo), sources, 2)
+                .trace({1, 1, look.z < 0 ? layer.size[2] : 0}, look, 20000, 3, 0);
         EXPECT_NEAR(paths.sum() - seen, wanted, 4 * paths.standard_error) << up;
         EXPECT_LT(paths.standard_error, 0.015 * wanted) << up;
         // The sky the other way round is told from it.
-        EXPECT_GT(std::fabs(suns.leaving(flipped_gradient, look) - wanted), 0.02 * wanted) << up;
+        const auto flipped = [](const glm::dvec3& d) { return gradient({-d.x, -d.y, d.z}); };
+        EXPECT_GT(std::fabs(suns.leaving(flipped, look) - wanted), 0.02 * wanted) << up;
     }
 }
 

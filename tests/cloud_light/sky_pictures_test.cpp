@@ -30,18 +30,6 @@ constexpr const char* kRecipe =
     "[bake.l]\nasset = 'cloud_light'\nof = 'v'\ncontents = 'clear_sky_radiance'\n"
     "sun_elevations = '30 deg'\nsun_azimuths = '17 deg'\ndegree = 3\ncell = 4\n";
 
-const config::CloudLightBake& light_of(const config::Parameters& parameters) {
-    return parameters.bakes[1].as<config::CloudLightBake>();
-}
-
-CloudLayer layer_under_sky(const config::Parameters& parameters) {
-    const auto& of = parameters.bakes[0].as<config::CloudVolumeBake>();
-    CloudLayer layer = layer_of(parameters);
-    EXPECT_FALSE(cloud_light::add_sky(parameters, light_of(parameters),
-                                      spanned_cloud(parameters, of), "l", with_threads(), layer));
-    return layer;
-}
-
 void print(const std::string& light, const Figures& found) {
     fmt::print("| {} | {:.1f} % | {:.1f} % | {:.1f} % |\n", light, 100 * found.rms,
                100 * found.noise, 100 * found.p99);
@@ -50,8 +38,12 @@ void print(const std::string& light, const Figures& found) {
 TEST(SlowSkyPictures, CumulusFromOutsideIsThatOfPaths) {
     const auto recipe = config::parse_recipe(kRecipe, "pictures");
     ASSERT_TRUE(recipe.value);
-    const config::CloudLightBake& bake = light_of(recipe.value->parameters);
-    const CloudLayer layer = layer_under_sky(recipe.value->parameters);
+    const config::Parameters& parameters = recipe.value->parameters;
+    const auto& bake = parameters.bakes[1].as<config::CloudLightBake>();
+    const auto& of = parameters.bakes[0].as<config::CloudVolumeBake>();
+    CloudLayer layer = layer_of(parameters);
+    ASSERT_FALSE(cloud_light::add_sky(parameters, bake, spanned_cloud(parameters, of), "l",
+                                      with_threads(), layer));
     const auto& scattering = cloud_light::scattering_of(layer, bake);
     LayerSources uniform, clear, seen_clear, ground;
     uniform.sky = clear.sky = seen_clear.sky = ground.ground = 1;

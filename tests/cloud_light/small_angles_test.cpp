@@ -26,13 +26,7 @@ CloudScattering henyey_greenstein(double g, double albedo) {
     return {{{1, make_phase_function(config::Phase::henyey_greenstein, g)}}, albedo};
 }
 
-// F of small_angles.h.
-double light_at(const SmallAngles& light, double depth, const ScatteringAngle& angle) {
-    return light.reference(depth, angle) * light.scattered_once(angle) *
-           std::exp(-light.extinction_share() * depth);
-}
-
-// The integral over directions of F times use(cosine), over the x of the table.
+// The integral over directions of F of small_angles.h times use(cosine), over the x of the table.
 template <class Use>
 double integral(const SmallAngles& light, double depth, double from, double to, const Use& use) {
     const QuadratureRule rule = gauss_legendre(200);  // on [0, 1]
@@ -42,7 +36,8 @@ double integral(const SmallAngles& light, double depth, double from, double to, 
         const ScatteringAngle angle = angle_at(x);
         // one_minus = 2 x^4 and the solid angle is 2 pi times its change.
         sum += rule.weights[i] * (to - from) * 2 * kPi * 8 * x * x * x *
-               light_at(light, depth, angle) * use(1 - angle.one_minus);
+               light.reference(depth, angle) * light.scattered_once(angle) *
+               std::exp(-light.extinction_share() * depth) * use(1 - angle.one_minus);
     }
     return sum;
 }

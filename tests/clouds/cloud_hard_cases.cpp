@@ -2,8 +2,11 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 #include "bakers/assets/cloud_volume/cloud_volume.h"
@@ -23,24 +26,10 @@ using test::hold;
 using test::plain_case;
 using test::tower;
 
-// The mean over a grid fine enough for the tower: for smooth periodic functions as exact as the
-// function itself.
-double integral(const TowerField& field, int rows, int columns) {
-    std::vector<double> x;
-    for (int i = 0; i < columns; ++i) x.push_back((i + 0.5) / columns);
-    double sum = 0;
-    for (int j = 0; j < rows; ++j) {
-        std::vector<double> row(x.size(), 0.0);
-        field.add_row((j + 0.5) / rows, x, row.data());
-        for (const double value : row) sum += value;
-    }
-    return sum / rows / columns;
-}
-
 double relative_error(Tower any, int rows, int columns) {
     const double wanted = 2 * std::numbers::pi * any.sigma[0] * any.sigma[1] * any.amplitude *
                           std::sqrt(1 - any.correlation * any.correlation);
-    return std::fabs(integral(TowerField(std::array{any}), rows, columns) / wanted - 1);
+    return std::fabs(test::mean_over_tile(TowerField(std::array{any}), rows, columns) / wanted - 1);
 }
 
 TEST(TowerHardCases, IntegrateToTheirVolume) {
@@ -81,21 +70,12 @@ TEST(TowerHardCases, LeaveNoSeam) {
     hold("towers on corners and edges, seams", "a tile further on", largest, 1e-10);
 }
 
-std::vector<float> whole(const CloudCase& any) {
-    const CloudField field(any.plan());
-    return test::filled(field, {{}, any.size}, field.plan().channels)[0];
-}
-
 // Returns the share of voxels that are not what they should be.
 template <class Wanted>
 double share_wrong(const CloudCase& any, const Wanted& wanted) {
-    const CloudField field(any.plan());
-    const std::vector<float> values = whole(any);
-    double wrong = 0;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        if (!wanted(values[i])) ++wrong;
-    }
-    return wrong / static_cast<double>(values.size());
+    const std::vector<float> values = test::densities_of(any);
+    return static_cast<double>(std::ranges::count_if(values, std::not_fn(wanted))) /
+           static_cast<double>(values.size());
 }
 
 TEST(CloudHardCases, ThresholdsThatVoxelsHold) {
@@ -165,16 +145,9 @@ TEST(CloudHardCases, BoundsTakeNothingAway) {
         any.cloud.edge_softness = 0;
         any.cloud.height_profile.type = config::HeightProfileType::thesis;
         any.cloud.towers = {tower(0.2, 0.3, 0.03, 0.06, 0.4), tower(0.99, 0.5, 0.05, 0.05, 0.9)};
-        const CloudPlan plan = any.plan();
-        const std::vector<float> values = whole(any);
-        std::size_t at = 0;
-        for (int z = 0; z < 20; ++z) {
-            for (int y = 0; y < 50; ++y) {
-                for (int x = 0; x < 97; ++x, ++at) {
-                    if (values[at] != cloud_at(plan, {x, y, z})[0]) ++lost;
-                }
-            }
-        }
+        const std::vector<float> wanted = test::specified(any.plan(), {{}, any.size})[0];
+        lost += std::transform_reduce(wanted.begin(), wanted.end(), test::densities_of(any).begin(),
+                                      0.0, std::plus(), std::not_equal_to());
     }
     hold("regions proved empty by bounds", "voxel by voxel, voxels unlike", lost, 0);
 }

@@ -16,6 +16,7 @@ namespace {
 
 using config::HeightProfile;
 using config::HeightProfileType;
+using test::densities_of;
 using test::plain_case;
 
 TEST(HeightProfile, OfTheThesisHasItsMaximum) {
@@ -203,11 +204,6 @@ TEST(NoiseBounds, HoldForFloatsOfASteepStep) {
     EXPECT_EQ(noise::value_bounds(noise, 0), (std::array<double, 2>{-0.25, 0.5}));
 }
 
-std::vector<float> whole(const test::CloudCase& any) {
-    const CloudField field(any.plan());
-    return test::filled(field, {{}, any.size}, field.plan().channels)[0];
-}
-
 double share_filled(const std::vector<float>& values) {
     return static_cast<double>(
                std::count_if(values.begin(), values.end(), [](float v) { return v > 0; })) /
@@ -216,31 +212,31 @@ double share_filled(const std::vector<float>& values) {
 
 TEST(Cloud, GrowsWithCoverageAndShrinksWithThresholdAndErosion) {
     test::CloudCase any = plain_case({32, 32, 32});
-    const double plain = share_filled(whole(any));
+    const double plain = share_filled(densities_of(any));
     EXPECT_GT(plain, 0.5);
     any.cloud.coverage = 0.7;
-    const double covered = share_filled(whole(any));
+    const double covered = share_filled(densities_of(any));
     EXPECT_LT(covered, plain);
     EXPECT_GT(covered, 0);
     any.cloud.coverage = 0;
-    EXPECT_EQ(share_filled(whole(any)), 0);
+    EXPECT_EQ(share_filled(densities_of(any)), 0);
     any.cloud.coverage = 1;
     any.cloud.threshold = 0.5;
-    EXPECT_LT(share_filled(whole(any)), plain);
+    EXPECT_LT(share_filled(densities_of(any)), plain);
     any.cloud.threshold = 0.3;
     any.detail = test::noise_of({test::perlin({{8, 8, 8}})});
     any.cloud.erosion = {0.3, 0.3};
-    EXPECT_LT(share_filled(whole(any)), plain);
+    EXPECT_LT(share_filled(densities_of(any)), plain);
     any.cloud.erosion = {0, 0};
-    EXPECT_EQ(share_filled(whole(any)), plain);
+    EXPECT_EQ(share_filled(densities_of(any)), plain);
 }
 
 TEST(Cloud, KeepsTheValueForARuntimesThreshold) {
     test::CloudCase any = plain_case({24, 24, 24});
     any.cloud.threshold_at = config::ThresholdAt::runtime;
-    const std::vector<float> values = whole(any);
+    const std::vector<float> values = densities_of(any);
     any.cloud.threshold_at = config::ThresholdAt::bake;
-    const std::vector<float> densities = whole(any);
+    const std::vector<float> densities = densities_of(any);
     for (std::size_t i = 0; i < values.size(); ++i) {
         const double x = std::clamp((values[i] - 0.3) / 0.1, 0.0, 1.0);
         EXPECT_NEAR(densities[i], values[i] * x * x * (3 - 2 * x), 1e-5);
@@ -249,9 +245,9 @@ TEST(Cloud, KeepsTheValueForARuntimesThreshold) {
 
 TEST(Cloud, IsFullFromAValueOn) {
     test::CloudCase any = plain_case({24, 24, 24});
-    const std::vector<float> plain = whole(any);
+    const std::vector<float> plain = densities_of(any);
     any.cloud.full_at = 0.5;
-    const std::vector<float> full = whole(any);
+    const std::vector<float> full = densities_of(any);
     int saturated = 0;
     for (std::size_t i = 0; i < plain.size(); ++i) {
         EXPECT_EQ(full[i] > 0, plain[i] > 0);
@@ -270,9 +266,9 @@ TEST(Cloud, IsFullFromAValueOn) {
 // number of droplets with its power 2/3.
 TEST(Cloud, HasTheWaterOfAirThatRises) {
     test::CloudCase any = plain_case({24, 24, 24});
-    const std::vector<float> even = whole(any);
+    const std::vector<float> even = densities_of(any);
     any.cloud.water = config::CloudWater::rising;
-    const std::vector<float> rising = whole(any);
+    const std::vector<float> rising = densities_of(any);
     int filled = 0;
     for (std::size_t i = 0; i < even.size(); ++i) {
         const double height = (static_cast<double>(i / (24 * 24)) + 0.5) / 24;
@@ -300,7 +296,7 @@ TEST(Cloud, LosesTowersWhereTheProfileIsBelowZero) {
     any.base.channels[0].value = 0.8;
     any.cloud.towers = {column_tower()};
     any.cloud.height_profile.table = {{0.49, -0.5}, {0.51, -1}};
-    const std::vector<float> values = whole(any);
+    const std::vector<float> values = densities_of(any);
     for (std::size_t i = 0; i < values.size(); ++i) {
         EXPECT_EQ(values[i] > 0, 0.8 * (column_field(i) - 0.5) > 0.3 && i / 1600 < 20) << i;
     }
@@ -312,7 +308,7 @@ TEST(Cloud, IsNotMadeOfNoiseAndProfileBelowZero) {
     any.base.channels[0].remap = {0, 1, -6, 6};
     any.cloud.towers = {column_tower()};
     any.cloud.height_profile.table = {{0, -0.5}};
-    const std::vector<float> values = whole(any);
+    const std::vector<float> values = densities_of(any);
     EXPECT_GT(share_filled(values), 0.01);
     for (std::size_t i = 0; i < values.size(); ++i) {
         EXPECT_TRUE(values[i] == 0 || column_field(i) > 0.5) << i;
@@ -322,7 +318,7 @@ TEST(Cloud, IsNotMadeOfNoiseAndProfileBelowZero) {
 TEST(Cloud, FollowsItsCoverageMap) {
     test::CloudCase any = plain_case({32, 24, 8});
     any.maps.coverage = test::small_map(config::MapWrap::repeat, config::MapFilter::nearest);
-    const std::vector<float> values = whole(any);
+    const std::vector<float> values = densities_of(any);
     const std::array<double, 12> pixels = {0, 1, 0, 0.25, 1, 0.5, 0, 0, 0, 0, 0.75, 1};
     std::array<int, 12> filled{};
     for (std::size_t i = 0; i < values.size(); ++i) {

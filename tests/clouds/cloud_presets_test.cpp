@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -230,43 +229,6 @@ TEST(SlowCloudPresets, WhatElseGrowsIsAsThickAndAsRoughAsNature) {
     }
 }
 
-// Adds Koch's curve from a to b, with pieces of less than half a column.
-void add_koch(std::complex<double> a, std::complex<double> b,
-              std::vector<std::complex<double>>& curve) {
-    const std::complex<double> third = (b - a) / 3.0;
-    if (std::abs(third) < 0.2) return curve.push_back(a);
-    const std::complex<double> tip = a + third + third * std::polar(1.0, -1.0471975511965976);
-    add_koch(a, a + third, curve);
-    add_koch(a + third, tip, curve);
-    add_koch(tip, b - third, curve);
-    add_koch(b - third, b, curve);
-}
-
-// Marks the columns whose middles lie in Koch's snowflake, which holds a triangle with corners at a radius.
-void draw_snowflake(std::complex<double> middle, double radius, Outline& outline) {
-    std::vector<std::complex<double>> curve;
-    for (int i = 0; i < 3; ++i) {
-        add_koch(middle + std::polar(radius, 2.0943951 * i),
-                 middle + std::polar(radius, 2.0943951 * (i + 1)), curve);
-    }
-    for (int y = 0; y < outline.rows; ++y) {
-        std::vector<double> crossings;
-        for (std::size_t i = 0; i < curve.size(); ++i) {
-            const auto a = curve[i], b = curve[(i + 1) % curve.size()];
-            const double from = a.imag() - y - 0.5, to = b.imag() - y - 0.5;
-            if ((from < 0) == (to < 0)) continue;
-            crossings.push_back(a.real() + (b.real() - a.real()) * from / (from - to));
-        }
-        std::sort(crossings.begin(), crossings.end());
-        for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
-            const int end = static_cast<int>(std::round(crossings[i + 1]));
-            for (int x = static_cast<int>(std::round(crossings[i])); x < end; ++x) {
-                outline.cloudy[static_cast<std::size_t>(y * outline.width + x)] = 1;
-            }
-        }
-    }
-}
-
 TEST(CloudPresets, DimensionsAreThoseOfKnownOutlines) {
     Outline discs{320, 320, std::vector<char>(320 * 320)};
     for (int at = 0; at < 320 * 320; ++at) {
@@ -275,13 +237,16 @@ TEST(CloudPresets, DimensionsAreThoseOfKnownOutlines) {
         discs.cloudy[static_cast<std::size_t>(at)] = std::hypot(x, y) < 5 + 0.2 * disc;
     }
     EXPECT_NEAR(outline_dimension(discs), 1, 0.05);
-    Outline snowflakes{1000, 400, std::vector<char>(400'000)};
-    double x = 0;
-    for (const double radius : {6, 10, 17, 30, 50, 85, 150}) {
-        draw_snowflake({x + 1.1 * radius, 200}, radius, snowflakes);
-        x += 2.2 * radius;
+    // Rectangles of n by n^2 columns have areas of n^3 and perimeters of about n^2.
+    Outline rectangles{1000, 120, std::vector<char>(120'000)};
+    int row = 1;
+    for (const int n : {14, 18, 23, 30}) {
+        for (int y = row; y < row + n; ++y) {
+            std::fill_n(rectangles.cloudy.begin() + 1000 * y, n * n, char{1});
+        }
+        row += n + 2;
     }
-    EXPECT_NEAR(outline_dimension(snowflakes), std::log(4) / std::log(3), 0.05);
+    EXPECT_NEAR(outline_dimension(rectangles), 4.0 / 3, 0.05);
 }
 
 TEST(CloudPresets, AllHaveARange) {

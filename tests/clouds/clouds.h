@@ -3,13 +3,17 @@
 
 #include <rapidcheck.h>
 
+#include <numeric>
 #include <optional>
 
 #include "bakers/clouds/cloud_field.h"
 #include "bakers/clouds/cloud_plan.h"
+#include "bakers/clouds/cloud_specification.h"
+#include "bakers/clouds/tower_field.h"
 #include "config/sections/cloud.h"
 #include "config/sections/noise.h"
 #include "tests/noise/noises.h"
+#include "tests/support/any_values.h"
 
 namespace skybake::test {
 
@@ -52,14 +56,36 @@ inline config::Tower tower(double x, double y, double sigma_x, double sigma_y, d
     return result;
 }
 
+// The voxels of the first channel.
+inline std::vector<float> densities_of(const CloudCase& any) {
+    const cloud::CloudField field(any.plan());
+    return filled(field, {{}, any.size}, field.plan().channels)[0];
+}
+
+// Voxels of a box as the specification makes them.
+inline Planes specified(const cloud::CloudPlan& plan, const VoxelBox& box) {
+    return one_by_one(plan.channels, box,
+                      [&](const noise::Voxel& voxel) { return cloud_at(plan, voxel); });
+}
+
+// The mean of a field of towers over a grid of places. For smooth periodic functions such means are as
+// exact as the function itself, where the grid is fine enough.
+inline double mean_over_tile(const cloud::TowerField& field, int rows, int columns) {
+    std::vector<double> x;
+    for (int i = 0; i < columns; ++i) x.push_back((i + 0.5) / columns);
+    double sum = 0;
+    for (int j = 0; j < rows; ++j) {
+        std::vector<double> row(x.size(), 0.0);
+        field.add_row((j + 0.5) / rows, x, row.data());
+        sum += std::accumulate(row.begin(), row.end(), 0.0);
+    }
+    return sum / rows / columns;
+}
+
 // A picture of 4 x 3 pixels.
 inline cloud::MapLookup small_map(config::MapWrap wrap, config::MapFilter filter) {
     return cloud::MapLookup({4, 3, {0, 1, 0, 0.25f, 1, 0.5f, 0, 0, 0, 0, 0.75f, 1}, ""}, wrap,
                             filter);
-}
-
-inline double any_number(double from, double to) {
-    return from + (to - from) * *rc::gen::inRange(0, 1 << 20) / static_cast<double>(1 << 20);
 }
 
 template <class Choice>

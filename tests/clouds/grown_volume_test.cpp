@@ -10,6 +10,7 @@
 #include "bakers/clouds/cloud_plan.h"
 #include "bakers/noise/noise_reference.h"
 #include "config/recipe/recipe.h"
+#include "tests/support/volumes.h"
 
 namespace skybake::cloud {
 namespace {
@@ -256,21 +257,10 @@ void expect_equal_in_boxes(const VoxelSource& volume, const std::array<int, 3>& 
                 1 + static_cast<int>(random() %
                                      std::min(3U, below - static_cast<unsigned>(box.origin[axis])));
         }
-        const std::vector<float> part = filled(volume, box);
-        std::size_t at = 0;
-        float greatest = 0;
-        for (int z = box.origin[2]; z < box.origin[2] + box.size[2]; ++z) {
-            for (int y = box.origin[1]; y < box.origin[1] + box.size[1]; ++y) {
-                for (int x = box.origin[0]; x < box.origin[0] + box.size[0]; ++x, ++at) {
-                    ASSERT_EQ(part[at],
-                              all[static_cast<std::size_t>((z * size[1] + y) * size[0] + x)]);
-                    greatest = std::max(greatest, part[at]);
-                }
-            }
-        }
+        ASSERT_TRUE(testing::is_part_of({all}, volume, size, box));
         if (!volume.is_empty(box)) continue;
         ++empty;
-        ASSERT_EQ(greatest, 0);
+        ASSERT_EQ(std::ranges::max(filled(volume, box)), 0);
     }
     EXPECT_GT(empty, 0);
 }

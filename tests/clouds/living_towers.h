@@ -77,10 +77,4 @@ inline config::Cloud lively_cloud(int period) {
     return cloud;
 }
 
-inline double largest_change(const std::vector<double>& a, const std::vector<double>& b) {
-    double largest = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::fabs(a[i] - b[i]));
-    return largest;
-}
-
 }  // namespace skybake::test

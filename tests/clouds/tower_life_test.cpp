@@ -14,7 +14,7 @@ namespace {
 using config::Tower;
 using test::at_time;
 using test::fields_of;
-using test::largest_change;
+using test::largest_difference;
 using test::living_gaussian;
 using test::living_tower;
 using test::looping_cloud;
@@ -89,8 +89,8 @@ TEST(TowerWind, WrapsAroundTheTile) {
     }
     const auto found = fields_of(at_time(drifting, 5));
     const auto wanted = fields_of(at_time(placed, 5));
-    EXPECT_LT(largest_change(found, wanted), 1e-9);
-    EXPECT_GT(largest_change(found, fields_of(at_time(drifting, 4))), 0.1);
+    EXPECT_LT(largest_difference(found, wanted), 1e-9);
+    EXPECT_GT(largest_difference(found, fields_of(at_time(drifting, 4))), 0.1);
 }
 
 // A standing tower drifts too, by whole tiles per loop, and its birth does not matter.
@@ -104,7 +104,7 @@ TEST(TowerWind, CarriesStandingTowers) {
     moved.towers = cloud.towers;
     moved.towers[0].center[0] += 2 * 3 / 8.0 - 1;
     moved.towers[0].center[1] -= 3 / 8.0;
-    EXPECT_LT(largest_change(fields_of(at_time(cloud, 3)), fields_of(moved)), 1e-9);
+    EXPECT_LT(largest_difference(fields_of(at_time(cloud, 3)), fields_of(moved)), 1e-9);
     EXPECT_EQ(fields_of(at_time(cloud, 8)), fields_of(at_time(cloud, 0)));
 }
 

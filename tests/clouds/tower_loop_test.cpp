@@ -11,7 +11,7 @@ namespace {
 
 using test::at_time;
 using test::fields_of;
-using test::largest_change;
+using test::largest_difference;
 using test::lively_cloud;
 using test::living_tower;
 using test::looping_cloud;
@@ -49,7 +49,7 @@ TEST(TowerLoop, IsContinuousAllAround) {
         std::vector<double> before = fields_of(at_time(cloud, -1));
         for (int time = 0; time < period; ++time) {
             std::vector<double> now = fields_of(at_time(cloud, time));
-            largest[i] = std::max(largest[i], largest_change(before, now));
+            largest[i] = std::max(largest[i], largest_difference(before, now));
             before = std::move(now);
         }
     }

@@ -16,21 +16,6 @@ using test::living_gaussian;
 using test::looping_cloud;
 using test::reference_state;
 
-// The integral of the Gaussians over a tile. Sums over a periodic grid are exact for smooth fields.
-double gaussian_mass(const Cloud& cloud) {
-    constexpr int kPlaces = 64;
-    std::vector<double> x;
-    for (int i = 0; i < kPlaces; ++i) x.push_back((i + 0.5) / kPlaces);
-    const TowerField field(living_towers(cloud));
-    double mass = 0;
-    for (const double y : x) {
-        std::vector<double> row(x.size(), 0.0);
-        field.add_row(y, x, row.data());
-        for (const double value : row) mass += value / (kPlaces * kPlaces);
-    }
-    return mass;
-}
-
 // 2 pi sigma_x sigma_y sqrt(1 - correlation^2) a, which width squared and height multiply.
 TEST(TowerMass, OfAGaussianFollowsItsLife) {
     Cloud cloud = looping_cloud(40);
@@ -42,7 +27,8 @@ TEST(TowerMass, OfAGaussianFollowsItsLife) {
     double before = 0;
     for (int time = 0; time < 40; ++time) {
         const TowerState state = reference_state(tower, 0, at_time(cloud, time));
-        const double mass = gaussian_mass(at_time(cloud, time));
+        const double mass =
+            test::mean_over_tile(TowerField(living_towers(at_time(cloud, time))), 64, 64);
         EXPECT_NEAR(mass, full * state.width * state.width * state.height * state.amplitude,
                     1e-8 * full);
         const double age = time / 40.0;

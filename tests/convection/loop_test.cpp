@@ -8,6 +8,7 @@
 #include "bakers/convection/convection.h"
 #include "bakers/convection/flow.h"
 #include "tests/convection/fields.h"
+#include "tests/support/comparisons.h"
 
 namespace skybake::convection {
 namespace {
@@ -44,14 +45,6 @@ struct States {
     }
 };
 
-double largest_difference(const std::vector<float>& a, const std::vector<float>& b) {
-    double largest = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        largest = std::max(largest, std::abs(double{a[i]} - double{b[i]}));
-    }
-    return largest;
-}
-
 TEST(Loop, BeginsWithTheCloudThatStandsStill) {
     Specification still = looped();
     still.loop_s = 0;
@@ -84,8 +77,8 @@ TEST(Loop, HasNoJump) {
     const auto moving = grow(looped(), {});
     const auto change = [&](int moment) {
         const double step = 1.0 / moving->moments;
-        return largest_difference(at_share(moving, moment * step)->water,
-                                  at_share(moving, (moment + 1) * step)->water);
+        return skybake::test::largest_difference(at_share(moving, moment * step)->water,
+                                                 at_share(moving, (moment + 1) * step)->water);
     };
     double largest = 0;
     for (int i = 0; i + 1 < moving->moments; ++i) largest = std::max(largest, change(i));

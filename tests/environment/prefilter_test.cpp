@@ -19,10 +19,6 @@ const std::vector<MappingCase> kMaps = {{EnvironmentMapping::longitude_latitude,
                                         {EnvironmentMapping::octahedral, {48, 48}}};
 const BakeOptions kOneThread{.threads = 1};
 
-EnvironmentLayout half_of(const MappingCase& of) {
-    return {of.mapping, {of.size[0] / 2, of.size[1] / 2}};
-}
-
 // Bright over a quarter of the sky, on a gradient.
 double lamp(const glm::dvec3& d) {
     const glm::dvec3 to_lamp = glm::normalize(glm::dvec3(1, 1, 2));
@@ -52,10 +48,10 @@ double by_all_texels(const Image2<float>& map, const EnvironmentLayout& layout,
 TEST(Prefilter, WhiteStaysWhite) {
     for (const MappingCase& of : kMaps) {
         const EnvironmentLayout layout(of.mapping, of.size);
+        const EnvironmentLayout half(of.mapping, {of.size[0] / 2, of.size[1] / 2});
         const MapPyramid pyramid(of.mapping, map_of(layout, [](const glm::dvec3&) { return 1; }));
         for (const double roughness : {1e-3, 0.2, 0.6, 1.0}) {
-            for (const double texel :
-                 prefiltered(pyramid, half_of(of), roughness, kOneThread).texels) {
+            for (const double texel : prefiltered(pyramid, half, roughness, kOneThread).texels) {
                 EXPECT_NEAR(texel, 1, 1e-6);
             }
         }
@@ -200,26 +196,12 @@ const std::vector<MappingCase> kFineMaps = {{EnvironmentMapping::longitude_latit
                                             {EnvironmentMapping::cube, {64, 384}},
                                             {EnvironmentMapping::octahedral, {128, 128}}};
 
-// Associated Legendre polynomials by Rodrigues' formula without the Condon-Shortley phase, from their
-// recurrence (Abramowitz & Stegun 8.5.3), and the normalization in factorials.
-double legendre(int l, int m, double z) {
-    double of_m = 1;
-    for (int i = 1; i <= m; ++i) of_m *= (2 * i - 1) * std::sqrt(1 - z * z);
-    if (l == m) return of_m;
-    double before = of_m;
-    double value = z * (2 * m + 1) * of_m;
-    for (int i = m + 2; i <= l; ++i) {
-        const double next = ((2 * i - 1) * z * value - (i + m - 1) * before) / (i - m);
-        before = value;
-        value = next;
-    }
-    return value;
-}
+// The standard library's have the Condon-Shortley phase.
 double harmonic(int l, int m, const glm::dvec3& direction) {
     const int order = std::abs(m);
-    const double norm = std::sqrt((2 * l + 1) / (4 * kPi) * std::tgamma(l - order + 1) /
-                                  std::tgamma(l + order + 1));
-    const double of_z = norm * legendre(l, order, direction.y);
+    const double of_z = (order % 2 == 0 ? 1 : -1) * std::sph_legendre(static_cast<unsigned>(l),
+                                                                      static_cast<unsigned>(order),
+                                                                      std::acos(direction.y));
     const double azimuth = std::atan2(direction.z, direction.x);  // from right to ahead
     if (m == 0) return of_z;
     return std::sqrt(2.0) * of_z * (m > 0 ? std::cos(order * azimuth) : std::sin(order * azimuth));

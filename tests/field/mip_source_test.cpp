@@ -6,6 +6,8 @@
 #include <cmath>
 #include <memory>
 
+#include "tests/support/any_values.h"
+#include "tests/support/comparisons.h"
 #include "tests/support/volumes.h"
 
 namespace skybake {
@@ -15,12 +17,6 @@ using testing::FunctionVoxels;
 using testing::planes_of;
 using testing::sample_voxel;
 using Size = std::array<int, 3>;
-
-double mean(const std::vector<float>& values) {
-    double sum = 0;
-    for (const float v : values) sum += v;
-    return sum / static_cast<double>(values.size());
-}
 
 // A coarse voxel by the header's words: the integral of the finer ones, each constant over its
 // width, over [i n/m, (i + 1) n/m).
@@ -68,7 +64,8 @@ TEST(MipSource, IsItsDefinitionAndKeepsTheMean) {
             }
             ++at;
         });
-        RC_ASSERT(std::fabs(mean(values[0]) - mean(planes_of(*finer, {{}, size}, 1)[0])) < 0x1p-24);
+        RC_ASSERT(std::fabs(test::mean_of(values[0]) -
+                            test::mean_of(planes_of(*finer, {{}, size}, 1)[0])) < 0x1p-24);
     }));
 }
 
@@ -78,13 +75,8 @@ TEST(MipSource, BoxesEqualTheWhole) {
                            *rc::gen::inRange(1, 40)};
         const Size half = next_mip_size(size);
         const MipSource coarser(std::make_shared<FunctionVoxels>(sample_voxel), size, half);
-        VoxelBox box;
-        for (std::size_t a = 0; a < 3; ++a) {
-            box.origin[a] = *rc::gen::inRange(0, half[a]);
-            box.size[a] = *rc::gen::inRange(1, half[a] - box.origin[a] + 1);
-        }
         const auto whole = planes_of(coarser, {{}, half}, 2);
-        RC_ASSERT(testing::is_part_of(whole, coarser, half, box));
+        RC_ASSERT(testing::is_part_of(whole, coarser, half, test::any_box(half)));
     }));
 }
 
@@ -107,13 +99,14 @@ TEST(MipSource, ChainsEndInTheMean) {
     for (const Size& first : {Size{16, 16, 16}, Size{13, 6, 1}, Size{1, 9, 27}}) {
         std::shared_ptr<const VoxelSource> level = std::make_shared<FunctionVoxels>(sample_voxel);
         Size size = first;
-        const double wanted = mean(planes_of(*level, {{}, size}, 1)[0]);
+        const double wanted = test::mean_of(planes_of(*level, {{}, size}, 1)[0]);
         int levels = 1;
         while (size != Size{1, 1, 1}) {
             level = std::make_shared<MipSource>(level, size, next_mip_size(size));
             size = next_mip_size(size);
             ++levels;
-            EXPECT_NEAR(mean(planes_of(*level, {{}, size}, 1)[0]), wanted, levels * 0x1p-24);
+            EXPECT_NEAR(test::mean_of(planes_of(*level, {{}, size}, 1)[0]), wanted,
+                        levels * 0x1p-24);
         }
         EXPECT_EQ(levels, first[0] == 16 ? 5 : first[0] == 13 ? 4 : 5);
     }

@@ -99,21 +99,6 @@ TEST(SurveyVolume, DoesNotDependOnThreads) {
     }
 }
 
-// The message of the diagnostic of a volume whose channel 1 is `bad` at (5, 3, 2), and which has
-// others behind.
-std::string complaint(PixelType type, float bad, std::string& code) {
-    Baked volume = plain_volume({300, 400, 40}, 3, type, [bad](int x, int y, int z, int channel) {
-        if (channel == 1 && x == 5 && y == 3 && z == 20) return bad;
-        const bool behind = (channel == 0 && x == 6 && y == 3 && z == 20) || z == 39;
-        return behind ? std::numeric_limits<float>::infinity() : 0.5F;
-    });
-    const auto diagnostics = survey_level(volume, 0, Ranges(3, {0, 1}), {2});
-    EXPECT_EQ(diagnostics.size(), 1U);
-    EXPECT_TRUE(volume.levels[0].content_hash.empty());
-    code = diagnostics.at(0).code;
-    return diagnostics[0].message;
-}
-
 TEST(SurveyVolume, NamesTheFirstValueThatNoFileHolds) {
     const float infinity = std::numeric_limits<float>::infinity();
     struct Case {
@@ -133,9 +118,17 @@ TEST(SurveyVolume, NamesTheFirstValueThatNoFileHolds) {
         {PixelType::unorm16, std::nanf(""), "E0401"},
     };
     for (const Case& entry : cases) {
-        std::string code;
-        const std::string message = complaint(entry.type, entry.bad, code);
-        EXPECT_EQ(code, entry.code) << message;
+        const auto voxel = [&](int x, int y, int z, int channel) {
+            if (channel == 1 && x == 5 && y == 3 && z == 20) return entry.bad;
+            const bool behind = (channel == 0 && x == 6 && y == 3 && z == 20) || z == 39;
+            return behind ? infinity : 0.5F;
+        };
+        Baked volume = plain_volume({300, 400, 40}, 3, entry.type, voxel);
+        const auto diagnostics = survey_level(volume, 0, Ranges(3, {0, 1}), {2});
+        ASSERT_EQ(diagnostics.size(), 1U);
+        EXPECT_TRUE(volume.levels[0].content_hash.empty());
+        const std::string& message = diagnostics[0].message;
+        EXPECT_EQ(diagnostics[0].code, entry.code) << message;
         EXPECT_NE(message.find("`shape`: the value at voxel (5, 3, 20), channel G,"),
                   std::string::npos)
             << message;

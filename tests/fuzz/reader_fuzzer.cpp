@@ -4,8 +4,6 @@
 // An input either is a file, or a list of changes to a file that a writer made. Properties: a reader
 // ends; what it calls read has each voxel once, in order; what it refuses has a code and names the
 // file.
-#include <sys/mman.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -21,6 +19,7 @@
 #include "bakers/io/formats/texture.h"
 #include "tests/fuzz/properties.h"
 #include "tests/io/open_formats.h"
+#include "tests/support/memory_file.h"
 #include "tests/support/volumes.h"
 #include "tests/support/zipped_nvdb.h"
 
@@ -29,33 +28,7 @@ namespace {
 
 using config::FileFormat;
 using config::fuzzing::require;
-
-// A file in memory.
-class MemoryFile {
-  public:
-    MemoryFile() : descriptor_(memfd_create("fuzz", 0)) {}
-    ~MemoryFile() { close(descriptor_); }
-    MemoryFile(const MemoryFile&) = delete;
-    MemoryFile& operator=(const MemoryFile&) = delete;
-
-    std::string path() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
-    void assign(std::string_view bytes) const {
-        require(ftruncate(descriptor_, 0) == 0, "the file can be emptied");
-        require(pwrite(descriptor_, bytes.data(), bytes.size(), 0) ==
-                    static_cast<ssize_t>(bytes.size()),
-                "the file can be written");
-    }
-    std::string bytes() const {
-        std::string bytes(static_cast<std::size_t>(lseek(descriptor_, 0, SEEK_END)), '\0');
-        require(
-            pread(descriptor_, bytes.data(), bytes.size(), 0) == static_cast<ssize_t>(bytes.size()),
-            "the file can be read");
-        return bytes;
-    }
-
-  private:
-    int descriptor_;
-};
+using skybake::testing::MemoryFile;
 
 struct Sample {
     FileFormat format;

@@ -35,12 +35,6 @@ Noise at_time(Noise noise, int period, int time, int cells = 4) {
 
 test::Planes frame(const Noise& noise) { return test::whole(noise, kSize); }
 
-double rms_difference(const std::vector<float>& a, const std::vector<float>& b) {
-    double sum = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * double{a[i] - b[i]};
-    return std::sqrt(sum / static_cast<double>(a.size()));
-}
-
 TEST(MovingNoise, EqualsTheSpecificationOnEveryTarget) {
     for (Noise noise : all_kinds()) {
         noise.drift = {1, -2, 3};
@@ -72,7 +66,7 @@ TEST(MovingNoise, StandsStillInALoopOfOneFrameOnly) {
         const test::Planes first = frame(at_time(noise, 8, 0));
         const test::Planes later = frame(at_time(noise, 8, 3));
         for (std::size_t c = 0; c < first.size(); ++c) {
-            EXPECT_GT(rms_difference(first[c], later[c]), 0.05) << c;
+            EXPECT_GT(test::rms_difference(first[c], later[c]), 0.05) << c;
         }
     }
 }
@@ -84,7 +78,8 @@ TEST(MovingNoise, IsContinuousInTime) {
         const test::Planes near = frame(at_time(noise, 4000, 901));
         const test::Planes far = frame(at_time(noise, 4000, 1000));
         for (std::size_t c = 0; c < from.size(); ++c) {
-            const double ratio = rms_difference(from[c], far[c]) / rms_difference(from[c], near[c]);
+            const double ratio =
+                test::rms_difference(from[c], far[c]) / test::rms_difference(from[c], near[c]);
             EXPECT_GT(ratio, 30) << c;
             EXPECT_LT(ratio, 130) << c;
         }
@@ -104,7 +99,7 @@ TEST(MovingNoise, ChangesSteadilyAllAround) {
         for (int time = 1; time <= kPeriod; ++time) {
             const test::Planes next = time < kPeriod ? frame(at_time(noise, kPeriod, time)) : first;
             for (std::size_t c = 0; c < first.size(); ++c) {
-                const double change = rms_difference(here[c], next[c]);
+                const double change = test::rms_difference(here[c], next[c]);
                 mean[c] += change / kPeriod;
                 largest[c] = std::max(largest[c], change);
             }
@@ -135,7 +130,7 @@ TEST(MovingNoise, PlaysALoopOnce) {
             for (int time = 3; time <= kPeriod - 3; ++time) {
                 const test::Planes later = frame(at_time(noise, kPeriod, time, cells));
                 for (std::size_t c = 0; c < first.size(); ++c) {
-                    EXPECT_GT(rms_difference(first[c], later[c]), 0.03)
+                    EXPECT_GT(test::rms_difference(first[c], later[c]), 0.03)
                         << c << " at " << time << " of " << cells << " cells";
                 }
             }
@@ -152,8 +147,8 @@ TEST(MovingNoise, TurnsSmallEddiesOverFaster) {
             return test::whole(at_time(both, 1000, time, 4), {64, 64, 64});
         };
         const test::Planes here = at(300), next = at(301);
-        const double coarse = rms_difference(here[0], next[0]);
-        EXPECT_NEAR(rms_difference(here[1], next[1]) / coarse, 4, 1);
+        const double coarse = test::rms_difference(here[0], next[0]);
+        EXPECT_NEAR(test::rms_difference(here[1], next[1]) / coarse, 4, 1);
     }
 }
 

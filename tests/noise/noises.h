@@ -12,6 +12,7 @@
 #include "bakers/noise/noise_plan.h"
 #include "config/sections/noise.h"
 #include "tests/noise/noise_specification.h"
+#include "tests/support/comparisons.h"
 #include "tests/support/volumes.h"
 
 namespace skybake::test {
@@ -119,14 +120,21 @@ inline std::array<double, 3> place_of(const std::array<noise::TileAxis, 3>& axes
 
 using Planes = std::vector<std::vector<float>>;  // [channel][voxel], x fastest
 
-inline Planes specified(const noise::NoisePlan& plan, const VoxelBox& box) {
-    Planes planes(static_cast<std::size_t>(plan.output_channels()));
+// Voxels of a box as `at` finds them one by one.
+template <class At>
+Planes one_by_one(int channels, const VoxelBox& box, const At& at) {
+    Planes planes(static_cast<std::size_t>(channels));
     testing::for_each_voxel(box.size, [&](int x, int y, int z) {
-        const noise::Voxel voxel = {box.origin[0] + x, box.origin[1] + y, box.origin[2] + z};
-        const std::vector<float> values = noise_at(plan, voxel);
+        const std::vector<float> values =
+            at(noise::Voxel{box.origin[0] + x, box.origin[1] + y, box.origin[2] + z});
         for (std::size_t c = 0; c < planes.size(); ++c) planes[c].push_back(values[c]);
     });
     return planes;
+}
+
+inline Planes specified(const noise::NoisePlan& plan, const VoxelBox& box) {
+    return one_by_one(plan.output_channels(), box,
+                      [&](const noise::Voxel& voxel) { return noise_at(plan, voxel); });
 }
 
 // The value beyond a box's end, which must not be overwritten.
@@ -156,10 +164,6 @@ inline Planes whole(const noise::NoisePlan& plan) {
 
 inline Planes whole(const config::Noise& noise, const std::array<int, 3>& size) {
     return whole(noise::make_noise_plan(noise, size));
-}
-
-inline bool same_bits(float a, float b) {
-    return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b);
 }
 
 // How many floats lie from one to the other.

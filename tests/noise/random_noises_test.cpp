@@ -8,6 +8,7 @@
 #include "bakers/noise/noise_reference.h"
 #include "tests/noise/every_target.h"
 #include "tests/noise/running_error.h"
+#include "tests/support/any_values.h"
 
 namespace skybake::noise {
 namespace {
@@ -15,10 +16,6 @@ namespace {
 template <class Choice>
 Choice any_of_first(int count) {
     return static_cast<Choice>(*rc::gen::inRange(0, count));
-}
-
-double any_number(double from, double to) {
-    return from + (to - from) * *rc::gen::inRange(0, 1 << 20) / static_cast<double>(1 << 20);
 }
 
 int any_size() {
@@ -47,7 +44,7 @@ NoiseOctaves any_octaves(const std::array<int, 3>& size) {
                                         any_frequency(size[2])};
         if (equal) frequency.fill(frequency[0]);
         octaves.frequencies.push_back(frequency);
-        octaves.gains.push_back(i == 0 ? 1 : any_number(0, 4));
+        octaves.gains.push_back(i == 0 ? 1 : test::any_number(0, 4));
     }
     return octaves;
 }
@@ -55,7 +52,7 @@ NoiseOctaves any_octaves(const std::array<int, 3>& size) {
 NoiseChannel any_channel(const std::array<int, 3>& size) {
     NoiseChannel channel;
     channel.type = any_of_first<NoiseType>(6);
-    channel.value = any_number(-2, 2);
+    channel.value = test::any_number(-2, 2);
     channel.octaves = any_octaves(size);
     channel.worley_octaves = any_octaves(size);
     channel.fractal = any_of_first<config::NoiseFractal>(4);
@@ -64,18 +61,18 @@ NoiseChannel any_channel(const std::array<int, 3>& size) {
     channel.component = any_of_first<config::CurlComponent>(3);
     channel.seed = *rc::gen::element<std::uint64_t>(0, 1, ~std::uint64_t{0});
     if (*rc::gen::inRange(0, 3) == 0) {
-        channel.remap = {any_number(-1, 0.5), any_number(0.6, 2), any_number(-2, 2),
-                         any_number(-2, 2)};
+        channel.remap = {test::any_number(-1, 0.5), test::any_number(0.6, 2),
+                         test::any_number(-2, 2), test::any_number(-2, 2)};
     }
     channel.invert = *rc::gen::arbitrary<bool>();
-    if (*rc::gen::inRange(0, 3) == 0) channel.bias = any_number(0.001, 0.999);
+    if (*rc::gen::inRange(0, 3) == 0) channel.bias = test::any_number(0.001, 0.999);
     if (*rc::gen::inRange(0, 3) == 0) {
-        const double from = any_number(-1, 1);
-        channel.smoothstep = {from, from + any_number(0.01, 2)};
+        const double from = test::any_number(-1, 1);
+        channel.smoothstep = {from, from + test::any_number(0.01, 2)};
     }
     if (*rc::gen::inRange(0, 3) == 0) {
-        const double low = *rc::gen::element(0.0, any_number(-1, 0.5));
-        channel.clamp = {low, *rc::gen::element(low, 1.0, any_number(0.5, 2))};
+        const double low = *rc::gen::element(0.0, test::any_number(-1, 0.5));
+        channel.clamp = {low, *rc::gen::element(low, 1.0, test::any_number(0.5, 2))};
     }
     return channel;
 }

@@ -21,14 +21,6 @@ using config::NoiseWarp;
 
 const std::vector<test::Frequency> kOctaves = {{4, 4, 4}, {9, 5, 7}};
 
-double largest_difference(const std::vector<float>& a, const std::vector<float>& b) {
-    double largest = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        largest = std::max(largest, std::fabs(double{a[i]} - double{b[i]}));
-    }
-    return largest;
-}
-
 // --- Alligator noise ----------------------------------------------------------------------------
 
 // The definition for one cell per tile, whose point and its periodic images are all there is: the
@@ -145,10 +137,10 @@ TEST(Warp, OfNoStrengthIsThePlainNoise) {
         EXPECT_EQ(test::whole(test::noise_of({test::displaced(channel, 0)}), size), still);
         const test::Planes moved =
             test::whole(test::noise_of({test::displaced(channel, 1e-7)}), size);
-        EXPECT_LT(largest_difference(moved[0], still[0]), 3e-5);
+        EXPECT_LT(test::largest_difference(moved[0], still[0]), 3e-5);
         const test::Planes curled =
             test::whole(test::noise_of({test::displaced(channel, 0.1)}), size);
-        EXPECT_GT(largest_difference(curled[0], still[0]), 0.1) << "it displaces";
+        EXPECT_GT(test::largest_difference(curled[0], still[0]), 0.1) << "it displaces";
     }
 }
 

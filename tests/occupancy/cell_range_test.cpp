@@ -23,14 +23,9 @@ using config::OccupancyFilter;
 using test::Values;
 using test::Volume;
 
-bool same_bits(const std::vector<float>& a, const std::vector<float>& b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](float x, float y) {
-        return std::bit_cast<std::uint32_t>(x) == std::bit_cast<std::uint32_t>(y);
-    });
-}
-
 bool same_ranges(const CellRanges& a, const CellRanges& b) {
-    return a.size == b.size && same_bits(a.minimum, b.minimum) && same_bits(a.maximum, b.maximum);
+    return a.size == b.size && test::same_bits(a.minimum, b.minimum) &&
+           test::same_bits(a.maximum, b.maximum);
 }
 
 CellRanges ranges_of(const Volume& volume, OccupancyFilter filter) {

@@ -19,12 +19,14 @@
 #include "config/assets/occupancy_filter.h"
 #include "config/recipe/recipe.h"
 #include "tests/occupancy/distance_trial.h"
+#include "tests/support/any_values.h"
 #include "tests/support/number_rows.h"
 #include "tests/support/volumes.h"
 
 namespace skybake::occupancy {
 namespace {
 
+using test::any_number;
 using test::Values;
 using test::Volume;
 
@@ -114,10 +116,6 @@ std::vector<std::uint8_t> next_cells(const OccupiedCells& cells) {
     std::vector<std::uint8_t> leaps;
     for (const std::uint8_t occupied : cells.occupied) leaps.push_back(occupied == 0 ? 1 : 0);
     return leaps;
-}
-
-double any_number(double from, double to) {
-    return from + (to - from) * *rc::gen::inRange(0, 1 << 20) / static_cast<double>(1 << 20);
 }
 
 // Some along axes, some along faces of cells and through their corners.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bakers/light/path_tracer/path_tracer.h"
+#include "bakers/light/sky_radiance.h"
 #include "bakers/math/transcendental.h"
 #include "tests/support/atmospheres.h"
 #include "tests/support/number_rows.h"
@@ -110,5 +111,29 @@ inline std::vector<SkyTruth> sky_truth_of(const std::string& path) {
     }
     return truths;
 }
+
+// The relative errors of a sky without its ground against traced values, under suns from `from` to `to`
+// degrees from the zenith, ascending.
+class SkyErrors {
+  public:
+    SkyErrors(const SkyIntegrator& integrator, const std::vector<SkyTruth>& truth, double from,
+              double to) {
+        for (const auto& [at, channel, orders, radiance, standard_error] : truth) {
+            if (at.sun_zenith_degrees < from || at.sun_zenith_degrees > to) continue;
+            const View view = view_at(at.altitude_km, at.sun_zenith_degrees, at.view_zenith_degrees,
+                                      at.azimuth_degrees);
+            const SkyRadiance sky = integrator.radiance(at.altitude_km, view.sun, view.direction);
+            const auto c = static_cast<std::size_t>(channel);
+            all_.push_back(std::fabs((sky.single[c] + sky.multiple[c]) / radiance - 1));
+        }
+        std::sort(all_.begin(), all_.end());
+    }
+    double median() const { return all_.at(all_.size() / 2); }
+    double ninth_decile() const { return all_.at(all_.size() * 9 / 10); }
+    double largest() const { return all_.back(); }
+
+  private:
+    std::vector<double> all_;
+};
 
 }  // namespace skybake::test

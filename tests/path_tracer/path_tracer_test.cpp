@@ -20,30 +20,6 @@ namespace {
 
 using namespace test;
 
-TEST(PathTracer, WhiteFurnaceIsWhite) {
-    struct Furnace {
-        SkyMedium medium;
-        std::int64_t paths;
-    };
-    const Furnace furnaces[] = {{test::white_furnace(1), 20000},
-                                {test::white_furnace(10), 10000},
-                                {test::white_furnace(1, "-0.9"), 10000},
-                                {test::white_furnace(8, "0.95", "tiny_planet"), 10000}};
-    std::uint32_t ray = 0;
-    for (const Furnace& furnace : furnaces) {
-        const PathMedium path_medium(furnace.medium);
-        const double top = furnace.medium.air.thickness_km;
-        for (const double altitude : {0.0, 0.02 * top, top}) {
-            for (const double mu : {1.0, 0.05, -0.05, -1.0}) {
-                const PathTracedRadiance radiance =
-                    trace_ambient_paths(path_medium, altitude, mu, paths(furnace.paths, ++ray), 1);
-                EXPECT_LE(test::furnace_deviation(radiance, 3), test::kFourDeviations)
-                    << altitude << ' ' << mu;
-            }
-        }
-    }
-}
-
 // Where nothing absorbs, the sunlight that a planet meets leaves it again. Over the top's sphere,
 // mean over points and outward directions (weighed by their cosine) of L = (1 - mean of T over the
 // disc) / 4 pi, T of light that passes straight through.

@@ -17,16 +17,6 @@ namespace {
 
 constexpr std::size_t kDegree = 8;
 
-// P_0 .. P_8.
-std::array<double, kDegree + 1> legendre_polynomials(double x) {
-    std::array<double, kDegree + 1> p{1, x};
-    for (std::size_t l = 1; l < kDegree; ++l) {
-        const auto n = static_cast<double>(l);
-        p[l + 1] = ((2 * n + 1) * x * p[l] - n * p[l - 1]) / (n + 1);
-    }
-    return p;
-}
-
 struct NamedPhase {
     config::Phase phase;
     double g;
@@ -50,10 +40,10 @@ TEST_P(PhaseSampling, HasTheMoments) {
         ASSERT_GE(cosine.one_minus, 0);
         ASSERT_GE(cosine.one_plus, 0);
         ASSERT_NEAR(cosine.one_minus + cosine.one_plus, 2, 1e-13);
-        const auto p = legendre_polynomials(0.5 * (cosine.one_plus - cosine.one_minus));
-        for (std::size_t l = 1; l <= kDegree; ++l) {
-            sum[l] += p[l];
-            squares[l] += p[l] * p[l];
+        for (unsigned l = 1; l <= kDegree; ++l) {
+            const double p = std::legendre(l, 0.5 * (cosine.one_plus - cosine.one_minus));
+            sum[l] += p;
+            squares[l] += p * p;
         }
     }
     for (std::size_t l = 1; l <= kDegree; ++l) {

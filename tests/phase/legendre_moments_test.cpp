@@ -19,15 +19,8 @@ using Moments = std::array<double, kDegree + 1>;
 Moments integrated(const PhaseFunction& phase) {
     const auto integrand = [&](double nu) {
         Moments value{};
-        double last = 1;
-        double before = 0;
         const double p = 2 * std::numbers::pi * phase_value(phase, 1 - nu, 1 + nu);
-        for (int l = 0; l <= kDegree; ++l) {
-            value[static_cast<std::size_t>(l)] = p * last;
-            const double next = ((2 * l + 1) * nu * last - l * before) / (l + 1);
-            before = last;
-            last = next;
-        }
+        for (unsigned l = 0; l <= kDegree; ++l) value[l] = p * std::legendre(l, nu);
         return value;
     };
     return adaptive_integral<Moments>(integrand, -1, 1, 1e-11, 1e-14, 40);
@@ -44,10 +37,17 @@ RC_GTEST_PROP(LegendreMoments, AreThoseOfTheDefinition, ()) {
     for (std::size_t l = 0; l < moments.size(); ++l) {
         RC_ASSERT(std::fabs(moments[l] - expected[l]) < 1e-9);
     }
+    const bool is_henyey = kind == config::Phase::henyey_greenstein;
+    const double mean = is_henyey ? g : has_g ? 3 * g * (4 + g * g) / (5 * (2 + g * g)) : 0;
+    RC_ASSERT(std::fabs(expected[0] - 1) < 1e-9);
+    RC_ASSERT(std::fabs(expected[1] - mean) < 1e-9);
 }
 
 TEST(LegendreMoments, KnownOnes) {
-    const auto rayleigh = legendre_moments(make_phase_function(config::Phase::rayleigh, 0), 4);
+    const PhaseFunction air = make_phase_function(config::Phase::rayleigh, 0);
+    EXPECT_NEAR(phase_value(air, 0, 2), 3 / (8 * std::numbers::pi), 1e-15);
+    EXPECT_NEAR(phase_value(air, 1, 1), 3 / (16 * std::numbers::pi), 1e-15);
+    const auto rayleigh = legendre_moments(air, 4);
     EXPECT_NEAR(rayleigh[0], 1, 1e-15);
     EXPECT_NEAR(rayleigh[1], 0, 1e-15);
     EXPECT_NEAR(rayleigh[2], 0.1, 1e-15);

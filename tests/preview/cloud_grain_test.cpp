@@ -21,23 +21,20 @@ constexpr double kVoxel_m = 75;
 constexpr int kWidth = 40;
 constexpr int kHeight = 28;
 
-// The density of three balls that grow into each other and have edges of a voxel, in voxels.
-float balls_at(double x, double y, double z) {
+// Three balls that grow into each other and have edges of a voxel, whose voxels have optical depths of 4.5, as
+// those of drafts have.
+CloudMedium draft_cloud() {
     constexpr std::array<std::array<double, 4>, 3> balls = {
         {{6.2, 7.1, 4.4, 3.1}, {10.3, 8.7, 3.9, 2.6}, {8.1, 9.2, 6.6, 2.2}}};
-    double density = 0;
-    for (const auto& [at_x, at_y, at_z, radius] : balls) {
-        const double distance = std::hypot(x - at_x, y - at_y, z - at_z);
-        density = std::max(density, std::clamp(radius - distance, 0.0, 1.0));
-    }
-    return static_cast<float>(density);
-}
-
-// A cloud whose voxels have optical depths of 4.5, as those of drafts have.
-CloudMedium draft_cloud() {
     std::vector<float> voxels;
-    testing::for_each_voxel(
-        kSize, [&](int x, int y, int z) { voxels.push_back(balls_at(x + 0.5, y + 0.5, z + 0.5)); });
+    testing::for_each_voxel(kSize, [&](int x, int y, int z) {
+        double density = 0;
+        for (const auto& [at_x, at_y, at_z, radius] : balls) {
+            const double distance = std::hypot(x + 0.5 - at_x, y + 0.5 - at_y, z + 0.5 - at_z);
+            density = std::max(density, std::clamp(radius - distance, 0.0, 1.0));
+        }
+        voxels.push_back(static_cast<float>(density));
+    });
     return test::medium_of({kSize[0] * kVoxel_m, kSize[1] * kVoxel_m, kSize[2] * kVoxel_m}, 1000,
                            kSize, voxels, 0.06);
 }
@@ -55,18 +52,8 @@ MarchSettings settings_under(const CloudMedium& medium, const SunDirection& sun)
     return settings;
 }
 
-// Sunlight that the cloud scatters to each pixel, along the ray through its middle.
-Image2<double> marched(const CloudMedium& medium, const MarchSettings& settings) {
-    const Image2<float> results = march_view(medium, settings, 1).results;
-    Image2<double> sunlight(kWidth, kHeight, 1);
-    for (std::size_t i = 0; i < sunlight.texels.size(); ++i) {
-        const float* seen = results.texels.data() + i * MarchedView::kChannels;
-        sunlight.texels[i] = double{seen[0]} + seen[1];
-    }
-    return sunlight;
-}
-
-// The same by sums of 768 midpoints, and of 192 towards the sun, without jitter.
+// Sunlight that the cloud scatters to each pixel, along the ray through its middle: by sums of 768 midpoints, and
+// of 192 towards the sun, without jitter.
 Image2<double> in_short_steps(const CloudMedium& medium, const MarchSettings& settings) {
     const CameraRays rays(settings.camera, kWidth, kHeight);
     Image2<double> sunlight(kWidth, kHeight, 1);
@@ -100,23 +87,22 @@ Energy energy_of(const Image2<double>& picture) {
     return {std::sqrt(energy.all / pixels), std::sqrt(energy.grain / pixels)};
 }
 
-// Returns the error and grain that the march adds to a cloud's light under a sun, as shares of the light.
-Energy error_under(const SunDirection& sun) {
-    const CloudMedium medium = draft_cloud();
-    const MarchSettings settings = settings_under(medium, sun);
-    const Image2<double> fine = in_short_steps(medium, settings);
-    Image2<double> difference = marched(medium, settings);
-    for (std::size_t i = 0; i < fine.texels.size(); ++i) difference.texels[i] -= fine.texels[i];
-    const Energy error = energy_of(difference);
-    const double light = energy_of(fine).all;
-    return {error.all / light, error.grain / light};
-}
-
+// The error and the grain that the march adds to a cloud's light under a sun, as shares of the light.
 TEST(CloudGrain, IsSmallInCloudsOfFewVoxels) {
+    const CloudMedium medium = draft_cloud();
     for (const SunDirection sun : {SunDirection{60, 105}, {20, 105}, {6, 105}}) {
-        const Energy error = error_under(sun);
-        EXPECT_LT(error.grain, 0.03) << sun.elevation_degrees;
-        EXPECT_LT(error.all, 0.05) << sun.elevation_degrees;
+        const MarchSettings settings = settings_under(medium, sun);
+        const Image2<double> fine = in_short_steps(medium, settings);
+        const Image2<float> marched = march_view(medium, settings, 1).results;
+        Image2<double> difference(kWidth, kHeight, 1);
+        testing::for_each_texel(kWidth, kHeight, [&](int x, int y) {
+            const float* seen = marched.texel(x, y);
+            *difference.texel(x, y) = double{seen[0]} + seen[1] - *fine.texel(x, y);
+        });
+        const Energy error = energy_of(difference);
+        const double light = energy_of(fine).all;
+        EXPECT_LT(error.grain / light, 0.03) << sun.elevation_degrees;
+        EXPECT_LT(error.all / light, 0.05) << sun.elevation_degrees;
     }
 }
 

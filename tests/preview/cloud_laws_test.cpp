@@ -34,22 +34,6 @@ struct Slab {
     }
 };
 
-TEST(CloudView, LetsThroughWhatBeerSays) {
-    for (const double tau : {0.01, 0.5, 3.0}) {
-        const Slab slab(tau, {40, 70});
-        const Image2<float> view = march_view(slab.medium, slab.settings, 1).results;
-        const CameraRays rays(slab.settings.camera, view.width, view.height);
-        testing::for_each_texel(view.width, view.height, [&](int x, int y) {
-            const double length = slab.height / rays.through(x, y)[2];
-            // Samples within the layer: one more or less than its length in steps.
-            // Each of its floats rounds by 2^-24, exp by twice as much.
-            const double rounding = length / slab.settings.step_m * 0x1p-22;
-            EXPECT_NEAR(-std::log(double{view.texel(x, y)[kTransmittance]}), slab.sigma * length,
-                        slab.sigma * slab.settings.step_m + rounding);
-        });
-    }
-}
-
 // The octaves' integral over a slab of optical depth tau, the light leaving it at its base:
 //   b^n p_n / mu  integral over depth t from 0 to tau of exp(-(tau - t) / mu - a^n t / mu_s).
 double slab_radiance(const CloudPhase& phase, double tau, double mu, double mu_sun, double offset) {

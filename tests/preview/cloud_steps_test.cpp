@@ -19,12 +19,17 @@ using namespace test;
 
 // The optical depth of a homogeneous slab is its own, but for one step at either of its faces.
 TEST(CloudSteps, ASlabLetsThroughWhatBeerSaysAtAnyGrowth) {
-    const double sigma = 2e-4;
-    const CloudMedium slab =
-        medium_of({1000, 1000, 600}, 500, {8, 8, 6}, std::vector<float>(8 * 8 * 6, 1.0F), sigma);
     SceneFrame frame = frame_from({0, 0, 100}, 60, 16, 16);
     const CameraRays rays(frame.camera, frame.width, frame.height);
-    for (const double growth : {0.0, 0.1, 1.0, 6.0}) {
+    for (const auto& [sigma, growth] : {std::pair{2e-4, 0.0},
+                                        {2e-4, 0.1},
+                                        {2e-4, 1.0},
+                                        {2e-4, 6.0},
+                                        {2e-5, 0.0},
+                                        {5e-3, 0.0},
+                                        {5e-3, 1.0}}) {
+        const CloudMedium slab = medium_of({1000, 1000, 600}, 500, {8, 8, 6},
+                                           std::vector<float>(8 * 8 * 6, 1.0F), sigma);
         frame.step_growth = growth;
         const Image2<float> seen = SceneMarch({{&slab, 2, 20, 30000}}, {40, 70}, false, true, 1)
                                        .march(frame, 1, nullptr)
@@ -37,7 +42,7 @@ TEST(CloudSteps, ASlabLetsThroughWhatBeerSaysAtAnyGrowth) {
             const double step_m = std::sqrt(4 + 8 * growth * rays.pixel() * far_m);
             const double depth = sigma * 600 / z;
             const double made = -std::log(double{seen.texel(x, y)[6]});
-            EXPECT_NEAR(made, depth, sigma * step_m + 1e-4) << growth << " " << z;
+            EXPECT_NEAR(made, depth, sigma * step_m + 1e-4) << sigma << " " << growth << " " << z;
             mean += (made / depth - 1) / (frame.width * frame.height);
             least_steps = std::min(least_steps, 600 / z / step_m);
         });
@@ -147,12 +152,6 @@ NamedPicture picture_with(const CloudMedium& layer, const MarchSteps& steps, dou
     return {view.radiance, view.fetches.samples + view.fetches.light_samples};
 }
 
-double rms(const std::vector<double>& a, const std::vector<double>& b) {
-    double sum = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
-    return std::sqrt(sum / static_cast<double>(a.size()));
-}
-
 // The steps of pictures beside equal steps of half a voxel's edge, in 255ths of white; and steps that are far
 // too long, which the same bound refuses.
 TEST(CloudSteps, PicturesAreThoseOfShortEqualSteps) {
@@ -170,12 +169,12 @@ TEST(CloudSteps, PicturesAreThoseOfShortEqualSteps) {
     const std::vector<double> wanted = shown(reference.radiance, exposure);
     const MarchSteps steps = picture_steps(layer, sun);
     const NamedPicture made = picture_with(layer, steps, kStepGrowth, kLightGrowth);
-    EXPECT_LT(rms(shown(made.radiance, exposure), wanted), 1);
+    EXPECT_LT(rms_difference(shown(made.radiance, exposure), wanted), 1);
     EXPECT_LT(5 * made.fetches, reference.fetches);
     MarchSteps coarse = steps;
     coarse.step_m *= 6;
     const NamedPicture too_coarse = picture_with(layer, coarse, kStepGrowth, kLightGrowth);
-    EXPECT_GT(rms(shown(too_coarse.radiance, exposure), wanted), 1);
+    EXPECT_GT(rms_difference(shown(too_coarse.radiance, exposure), wanted), 1);
 }
 
 }  // namespace

@@ -1,20 +1,19 @@
 // Clouds in memory with the views of them that tests march, and random numbers for them.
 #pragma once
 
-#include <rapidcheck.h>
-
 #include <algorithm>
 #include <array>
 #include <vector>
 
 #include "bakers/render/cloud_framing.h"
 #include "tests/preview/clouds.h"
+#include "tests/support/any_values.h"
 #include "tests/support/cloud_marches.h"
 
 namespace skybake::test {
 
 // The channels of a marched view.
-enum Result { kSunAtBase, kSunAtTop, kFromSky, kFromGround, kTransmittance, kDistance };
+enum Result { kSunAtBase, kSunAtTop, kFromSky, kFromGround, kOpacity, kDistance, kTransmittance };
 
 inline CloudMedium medium_of(const config::Cloud& cloud, const std::array<int, 3>& size,
                              const std::vector<float>& voxels, int cell = 4) {
@@ -30,11 +29,6 @@ inline MarchSettings small_view(const CloudMedium& medium, const SunDirection& s
     return settings;
 }
 
-// Evenly, whatever RapidCheck's size.
-inline double any_of(double from, double to) {
-    const int share = *rc::gen::resize(100, rc::gen::inRange(0, 1 << 20));
-    return from + (to - from) * share / static_cast<double>(1 << 20);
-}
-inline int any_count(int from, int to) { return static_cast<int>(any_of(from, to + 1)); }
+inline int any_count(int from, int to) { return static_cast<int>(any_number(from, to + 1)); }
 
 }  // namespace skybake::test

@@ -10,6 +10,7 @@
 #include "bakers/field/image.h"
 #include "bakers/march/cloud_medium.h"
 #include "tests/occupancy/volumes_in_memory.h"
+#include "tests/support/comparisons.h"
 #include "tests/support/volumes.h"
 
 namespace skybake::test {
@@ -49,16 +50,11 @@ inline std::vector<float> clumped_voxels(const std::array<int, 3>& size, std::ui
 }
 
 inline double greatest_difference(const Image2<float>& a, const Image2<float>& b) {
-    double most = 0;
-    for (std::size_t i = 0; i < a.texels.size(); ++i) {
-        most = std::max(most, std::fabs(double{a.texels[i]} - b.texels[i]));
-    }
-    return most;
+    return largest_difference(a.texels, b.texels);
 }
 
 inline bool same_bits(const Image2<float>& a, const Image2<float>& b) {
-    return a.texels.size() == b.texels.size() &&
-           std::memcmp(a.texels.data(), b.texels.data(), a.texels.size() * sizeof(float)) == 0;
+    return same_bits(a.texels, b.texels);
 }
 
 }  // namespace skybake::test

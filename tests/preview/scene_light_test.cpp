@@ -6,12 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "bakers/light/higher_orders.h"
 #include "bakers/light/sky_radiance.h"
 #include "bakers/render/cloud_camera.h"
 #include "bakers/render/scene_view.h"
 #include "tests/preview/lit_slabs.h"
-#include "tests/preview/multiple_scattering_grid.h"
 #include "tests/preview/skies.h"
 #include "tests/support/loops.h"
 #include "tests/support/scene_reference.h"
@@ -30,14 +28,8 @@ const test::Sky& hazy() {
 
 // Integrates with the multiple scattering that the tables of this air hold.
 const SkyIntegrator& integrator() {
-    constexpr double kHighestZenith = 1.9;  // of the sun, at any place that a ray meets
-    static const test::MultipleScatteringGrid grid(hazy().medium.air, 0, kHighestZenith, {48, 24},
-                                                   1);
-    static const IsotropicOrders orders(
-        hazy().medium.air,
-        [](double altitude_km, double sun_cosine) { return grid.at(altitude_km, sun_cosine); });
-    static const SkyIntegrator made(hazy().medium, &orders);
-    return made;
+    static const SkyLight light = test::integrated(hazy());
+    return light.integrator();
 }
 
 // A camera's view of slabs, which are listed from the highest down.

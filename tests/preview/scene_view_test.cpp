@@ -42,7 +42,8 @@ void expect_definition(const ThreeLayers& three, const SunDirection& sun, const 
 
 TEST(SceneView, IsTheDefinition) {
     const ThreeLayers three;
-    for (const SunDirection& sun : {SunDirection{35, 200}, {12, 80}, {90, 0}, {-15, 40}}) {
+    for (const SunDirection& sun :
+         {SunDirection{35, 200}, {12, 80}, {90, 0}, {0, 140}, {-15, 40}}) {
         expect_definition(three, sun, frame_from({100, 50, 100}, 45));
     }
     expect_definition(three, {50, 10}, frame_from({0, 0, 3200}, -50));

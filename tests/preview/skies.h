@@ -6,11 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "bakers/assets/multiple_scattering/solved_scattering_table.h"
 #include "bakers/assets/registry/registry.h"
 #include "bakers/field/baked.h"
 #include "bakers/io/manifest/metadata.h"
+#include "bakers/light/sky_light.h"
 #include "bakers/preview/bake_assets.h"
 #include "bakers/render/sky_view.h"
+#include "config/assets/multiple_scattering.h"
 #include "tests/support/atmospheres.h"
 #include "tests/support/outcomes.h"
 
@@ -66,6 +69,23 @@ inline const std::vector<std::string>& large_tables() {
         "bake.multiple_scattering.mapping=\"twilight\"",
         "bake.multiple_scattering.max_texel_error=0.01"};
     return settings;
+}
+
+// Tables whose interpolation costs nothing beside a march.
+inline const std::vector<std::string>& finest_tables() {
+    static const std::vector<std::string> settings = {
+        "bake.multiple_scattering.size=[256,128]", "bake.multiple_scattering.mapping=\"twilight\"",
+        "bake.multiple_scattering.max_texel_error=0.01"};
+    return settings;
+}
+
+// The light of a sky by direct integration (sky_radiance.h), with the multiple scattering that its table
+// holds. A picture of render_sky differs from it by what marching and coarser tables cost.
+inline SkyLight integrated(const Sky& sky) {
+    const config::Parameters& parameters = sky.recipe.parameters;
+    const auto& bake = parameters.bakes.back().as<config::MultipleScatteringBake>();
+    return {sky.medium, config::SkyOrders::all,
+            stored_orders(parameters, bake, sky.medium, sky.multiple_scattering.table)};
 }
 
 inline SkyView dome(int pixels, double altitude_km, double sun_elevation_degrees) {

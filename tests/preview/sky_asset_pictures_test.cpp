@@ -2,32 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include "bakers/assets/registry/registry.h"
-#include "bakers/io/manifest/metadata.h"
-#include "tests/support/atmospheres.h"
-#include "tests/support/volumes.h"
+#include "tests/preview/skies.h"
 
 namespace skybake {
 namespace {
 
 PreviewAsset bake_one(const std::string& section) {
-    const config::Recipe recipe =
-        test::recipe_of("preset = 'earth_hillaire'\n[bake.a]\n" + section);
-    auto baked =
-        bake_asset(recipe, recipe.parameters.bakes.at(0), {.certification = Certification::off});
-    EXPECT_TRUE(baked.value);
-    PreviewAsset asset;
-    const Baked& volume = *baked.value;
-    asset.entry = describe(volume);
-    if (volume.is_table()) {
-        asset.table = volume.image();
-        return asset;
-    }
-    const auto planes = testing::planes_of(volume);
-    for (std::size_t i = 0; i < planes[0].size(); ++i) {
-        for (const std::vector<float>& plane : planes) asset.voxels.push_back(plane[i]);
-    }
-    return asset;
+    return test::baked("preset = 'earth_hillaire'\n[bake.a]\n" + section).assets.at(0);
 }
 
 bool is_black(const Picture& picture) {

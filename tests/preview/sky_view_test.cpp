@@ -11,8 +11,8 @@
 #include <string>
 
 #include "bakers/preview/pictures/asset_pictures.h"
+#include "bakers/preview/pictures/sky_reference.h"
 #include "bakers/render/sky_rays.h"
-#include "tests/preview/closure_sky.h"
 #include "tests/preview/skies.h"
 #include "tests/support/every_target.h"
 #include "tests/support/number_rows.h"
@@ -64,19 +64,13 @@ std::vector<SkyView> hard_views(double thickness_km) {
     return views;
 }
 
-double largest(const Image2<float>& image) {
-    double value = 0;
-    for (const float texel : image.texels) value = std::max(value, double{texel});
-    return value;
-}
-
 TEST(SkyView, HasTheSameBitsOnEveryTarget) {
     for (const test::Sky& sky :
          {test::sky_of("earth_hillaire"), peculiar_sky(), test::sky_of("earth_clear_mountain"),
           solved_sky("earth_hillaire", "moments", "bake.multiple_scattering.degree=3")}) {
         for (const SkyView& view : {test::dome(37, 0.2, 5), test::panorama(46, 3, -3)}) {
             const Image2<float> wanted = render_sky(sky.medium, sky.tables, view, 1);
-            EXPECT_GT(largest(wanted), 0);
+            EXPECT_GT(std::ranges::max(wanted.texels), 0);
             test::on_every_target([&](const char* target) {
                 EXPECT_EQ(render_sky(sky.medium, sky.tables, view, 1).texels, wanted.texels)
                     << target;
@@ -152,7 +146,7 @@ TEST(SkyView, IsFiniteAndNotNegativeInHardPlaces) {
     }
 }
 
-// Against the path-traced radiance of Earth's air over black ground that closure_sky_test.cpp has.
+// Against the path-traced radiance of Earth's air over black ground that integrated_sky_test.cpp has.
 TEST(SkyView, MomentsAreNearerToPathsThanTheMeanRadiance) {
     const auto rows = test::number_rows(SKYBAKE_TEST_DATA "/truth_sky_setH0_h0.5.csv");
     const auto median_error = [&](const char* content) {
@@ -191,9 +185,11 @@ TEST(SkyView, ApproachesDirectIntegrationAsTablesGrow) {
         test::sky_of("earth_hillaire",
                      {"bake.transmittance.size=[64,16]", "bake.multiple_scattering.size=[16,8]"});
     const test::Sky large = test::sky_of("earth_hillaire", test::large_tables());
+    const test::Sky finest = test::sky_of("earth_hillaire", test::finest_tables());
+    const SkyLight light = test::integrated(finest);
     for (const double sun : {10.0, -4.0}) {
         const SkyView view = test::dome(24, 0.2, sun);
-        const Image2<float> direct = test::render_closure_sky(earth().medium, view, 1);
+        const Image2<float> direct = render_sky_reference(light, view, 1);
         const auto rms = [&](const test::Sky& sky) {
             const Image2<float> picture = render_sky(sky.medium, sky.tables, view, 1);
             return sky_difference(picture, direct, view).error.rms;
@@ -217,21 +213,25 @@ TEST(SkyView, IsNearDirectIntegrationOnOtherPlanets) {
         double sun;
         double rms;
     };
-    std::map<std::string, test::Sky> skies;
+    const auto sky_with = [](std::vector<std::string> tables, const std::string& preset,
+                             const std::string& rows) {
+        if (preset == "dense_earth") {
+            tables.push_back("bake.multiple_scattering.size=[32," + rows + "]");
+        }
+        return test::sky_of(preset, tables);
+    };
+    std::map<std::string, std::array<test::Sky, 2>> skies;
     for (const Case& at : {Case{"earth_hillaire", 100, 20, 0.01},
                            Case{"earth_hillaire", 0, 3, 0.01}, Case{"mars_rgb", 0.2, 15, 0.01},
                            Case{"mars_rgb", 0.2, -5, 0.03}, Case{"tiny_planet", 0.2, 10, 0.015},
                            Case{"dense_earth", 0.2, 40, 0.3}, Case{"vacuum", 0.2, 40, 1e-4}}) {
         if (!skies.contains(at.preset)) {
-            std::vector<std::string> settings = test::large_tables();
-            if (std::string(at.preset) == "dense_earth") {
-                settings.push_back("bake.multiple_scattering.size=[32,256]");
-            }
-            skies[at.preset] = test::sky_of(at.preset, settings);
+            skies[at.preset] = {sky_with(test::large_tables(), at.preset, "256"),
+                                sky_with(test::finest_tables(), at.preset, "512")};
         }
-        const test::Sky& sky = skies[at.preset];
+        const auto& [sky, finest] = skies[at.preset];
         const SkyView view = test::panorama(20, at.altitude_km, at.sun);
-        const Image2<float> direct = test::render_closure_sky(sky.medium, view, 1);
+        const Image2<float> direct = render_sky_reference(test::integrated(finest), view, 1);
         const Image2<float> picture = render_sky(sky.medium, sky.tables, view, 1);
         EXPECT_LT(sky_difference(picture, direct, view).error.rms, at.rms)
             << at.preset << ' ' << at.altitude_km << ' ' << at.sun;

@@ -57,11 +57,12 @@ RC_GTEST_PROP(SunLeaps, LeaveOutEmptyCellsAlone, ()) {
         clumped_voxels(size, static_cast<std::uint32_t>(any_count(0, 1 << 20)), 0.1);
     const CloudMedium medium = medium_of(cloud_of({1000, 1000, 500}), size, voxels, cell);
     const LeapGrid& grid = medium.leaps;
-    const glm::dvec3 step = {any_of(-2, 2), any_of(-2, 2), *rc::gen::element(-1.5, 0.0, 0.01, 0.7)};
+    const glm::dvec3 step = {any_number(-2, 2), any_number(-2, 2),
+                             *rc::gen::element(-1.5, 0.0, 0.01, 0.7)};
     const auto leaps = sun_leaps(grid, size, step, 40, 1);
     for (int i = 0; i < 200; ++i) {
-        const std::array<double, 3> place = {any_of(0, 1) * size[0], any_of(0, 1) * size[1],
-                                             any_of(0, 1) * size[2]};
+        const std::array<double, 3> place = {any_number(0, 1) * size[0], any_number(0, 1) * size[1],
+                                             any_number(0, 1) * size[2]};
         const auto reach_at = [&](double k, bool& inside) {
             std::array<int, 3> index{};
             for (std::size_t a = 0; a < 3; ++a) {

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "bakers/preview/pictures/asset_pictures.h"
+#include "tests/support/comparisons.h"
 #include "tests/support/loops.h"
 
 namespace skybake {
@@ -50,14 +51,6 @@ TEST(PhasePictures, ShowTheFunctionAndItsPeak) {
 }
 
 // Returns the largest difference between two pictures of the same size.
-int largest_difference(const Picture& a, const Picture& b) {
-    int largest = 0;
-    for (std::size_t i = 0; i < std::min(a.rgb.size(), b.rgb.size()); ++i) {
-        largest = std::max(largest, std::abs(a.rgb[i] - b.rgb[i]));
-    }
-    return largest;
-}
-
 // A curve that is drawn from its other end differs in a few shades along its edges; on a wrong axis it
 // stands elsewhere.
 TEST(PhasePictures, ShowTheSameCurveFromEitherEnd) {
@@ -71,8 +64,10 @@ TEST(PhasePictures, ShowTheSameCurveFromEitherEnd) {
     const auto moved = phase_pictures(wrong);
     ASSERT_EQ(turned.size(), seen.size());
     for (std::size_t i = 0; i < seen.size(); ++i) {
-        EXPECT_LE(largest_difference(turned[i].picture, seen[i].picture), 8) << seen[i].name;
-        EXPECT_GT(largest_difference(moved[i].picture, seen[i].picture), 100) << seen[i].name;
+        EXPECT_LE(test::largest_difference(turned[i].picture.rgb, seen[i].picture.rgb), 8)
+            << seen[i].name;
+        EXPECT_GT(test::largest_difference(moved[i].picture.rgb, seen[i].picture.rgb), 100)
+            << seen[i].name;
     }
 }
 

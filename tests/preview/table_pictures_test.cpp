@@ -1,4 +1,3 @@
-#include "bakers/field/baked.h"
 #include "bakers/preview/pictures/asset_pictures.h"
 
 #include <gtest/gtest.h>
@@ -9,45 +8,43 @@
 #include <numbers>
 #include <set>
 
-#include "bakers/assets/registry/registry.h"
-#include "bakers/io/manifest/metadata.h"
 #include "bakers/preview/pictures/table_geometry.h"
 #include "tests/preview/captions.h"
-#include "tests/support/atmospheres.h"
+#include "tests/preview/skies.h"
 
 namespace skybake {
 namespace {
 
-// Both tables of a preset, small, each with every mapping.
-std::vector<PreviewAsset> bake_tables(const std::string& preset) {
-    const config::Recipe recipe = test::recipe_of(
-        "preset = \"" + preset + "\"\n" +
-        "[bake.t]\nasset = \"transmittance\"\nsize = [24, 8]\n"
-        "[bake.ue]\nasset = \"transmittance\"\nmapping = \"ue\"\ncontent = \"optical_depth\"\n"
-        "size = [24, 8]\n"
-        "[bake.m]\nasset = \"multiple_scattering\"\nmethod = \"converged\"\n"
-        "mapping = \"hillaire\"\nsize = [16, 6]\nmax_texel_error = 0.05\n"
-        "[bake.twilight]\nasset = \"multiple_scattering\"\nmethod = \"converged\"\nmapping = "
-        "\"twilight\"\nsize = [16, "
-        "6]\nmax_texel_error = 0.05\n");
-    BakeOptions options;
-    options.certification = Certification::off;
-    std::vector<PreviewAsset> assets;
-    for (const config::Bake& bake : recipe.parameters.bakes) {
-        auto baked = bake_asset(recipe, bake, options);
-        if (!baked.value) continue;  // a planet without scattering has no such table
-        const Baked& table = *baked.value;
-        assets.push_back({describe(table), table.image(), {}});
-    }
-    return assets;
-}
-
 const std::vector<std::string> presets = {"earth_hillaire", "tiny_planet", "vacuum"};
 
+// Both tables of a preset, small, each with every mapping.
 const std::vector<PreviewAsset>& tables_of(const std::string& preset) {
     static std::map<std::string, std::vector<PreviewAsset>> baked;
     const auto [found, fresh] = baked.try_emplace(preset);
-    if (fresh) found->second = bake_tables(preset);
+    if (!fresh) return found->second;
+    found->second = test::baked("preset = \"" + preset + "\"\n" + R"(
+[bake.t]
+asset = "transmittance"
+size = [24, 8]
+[bake.ue]
+asset = "transmittance"
+mapping = "ue"
+content = "optical_depth"
+size = [24, 8]
+[bake.m]
+asset = "multiple_scattering"
+method = "converged"
+mapping = "hillaire"
+size = [16, 6]
+max_texel_error = 0.05
+[bake.twilight]
+asset = "multiple_scattering"
+method = "converged"
+mapping = "twilight"
+size = [16, 6]
+max_texel_error = 0.05
+)")
+                        .assets;
     return found->second;
 }
 

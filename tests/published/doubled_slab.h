@@ -25,6 +25,9 @@ class SquareMatrix {
     std::size_t size() const { return size_; }
     double& at(std::size_t row, std::size_t column) { return values_[row * size_ + column]; }
     double at(std::size_t row, std::size_t column) const { return values_[row * size_ + column]; }
+    double largest() const {
+        return std::ranges::max(values_, {}, [](double v) { return std::fabs(v); });
+    }
 
   private:
     std::size_t size_;
@@ -72,24 +75,15 @@ class DoubledSlab {
         std::vector<double> passing;  // the share of light that was not scattered
     };
 
-    // sqrt((l - m)! / (l + m)!) P_l^m of each node, by l.
+    // sqrt((l - m)! / (l + m)!) P_l^m of each node, by l, with the same sign for all of an m.
     std::vector<std::vector<double>> legendre(int m) const {
         std::vector<std::vector<double>> values(moments_.size(),
                                                 std::vector<double>(cosines_.size()));
-        for (std::size_t i = 0; i < cosines_.size(); ++i) {
-            const double mu = cosines_[i];
-            double before = 0;
-            double here = 1;
-            for (int k = 1; k <= m; ++k) {
-                here *= std::sqrt((2 * k - 1) / (2.0 * k) * (1 - mu) * (1 + mu));
-            }
-            for (int l = m; l < static_cast<int>(moments_.size()); ++l) {
-                values[static_cast<std::size_t>(l)][i] = here;
-                const double next =
-                    ((2 * l + 1) * mu * here - std::sqrt(double{1} * l * l - m * m) * before) /
-                    std::sqrt((l + 1.0) * (l + 1) - m * m);
-                before = here;
-                here = next;
+        for (auto l = static_cast<unsigned>(m); l < moments_.size(); ++l) {
+            const double norm = std::sqrt(4 * std::numbers::pi / (2 * l + 1));
+            for (std::size_t i = 0; i < cosines_.size(); ++i) {
+                values[l][i] =
+                    norm * std::sph_legendre(l, static_cast<unsigned>(m), std::acos(cosines_[i]));
             }
         }
         return values;
@@ -137,33 +131,12 @@ class DoubledSlab {
         return result;
     }
 
-    // Solves x = seed + after(again, x) by Gauss's elimination over the nodes, from which the other
-    // cosines follow. No pivots are exchanged: less light comes back than went, so the diagonal is
-    // the largest.
-    SquareMatrix repeated(const SquareMatrix& again, SquareMatrix seed) const {
-        const std::size_t count = seed.size();
-        SquareMatrix system(count);
-        for (std::size_t i = 0; i < count; ++i) {
-            for (std::size_t k = 0; k < kNodes; ++k) {
-                system.at(i, k) = -again.at(i, k) * 2 * cosines_[k] * weights_[k];
-            }
-            system.at(i, i) += 1;
-        }
-        for (std::size_t pivot = 0; pivot < kNodes; ++pivot) {
-            for (std::size_t i = 0; i < count; ++i) {
-                if (i == pivot) continue;
-                const double factor = system.at(i, pivot) / system.at(pivot, pivot);
-                if (factor == 0) continue;
-                for (std::size_t k = pivot; k < kNodes; ++k) {
-                    system.at(i, k) -= factor * system.at(pivot, k);
-                }
-                for (std::size_t j = 0; j < count; ++j) {
-                    seed.at(i, j) -= factor * seed.at(pivot, j);
-                }
-            }
-        }
-        for (std::size_t i = 0; i < kNodes; ++i) {
-            for (std::size_t j = 0; j < count; ++j) seed.at(i, j) /= system.at(i, i);
+    // Solves x = seed + after(again, x): the sum of light that went back and forth any number of times, whose
+    // terms double from one step to the next.
+    SquareMatrix repeated(SquareMatrix again, SquareMatrix seed) const {
+        while (again.largest() > 1e-17) {
+            add(seed, after(again, seed));
+            again = after(again, again);
         }
         return seed;
     }

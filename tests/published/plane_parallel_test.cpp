@@ -15,7 +15,6 @@
 #include "bakers/light/sky_light.h"
 #include "bakers/light/solver/solve_light.h"
 #include "tests/path_tracer/path_media.h"
-#include "tests/published/isotropic_slab.h"
 #include "tests/published/published_slabs.h"
 #include "tests/published/slab.h"
 
@@ -89,18 +88,6 @@ TEST(PlaneParallel, DoublingFindsThePublishedRadiance) {
         }
         fmt::print("{}: published values are within {:.2e}\n", slab.name, worst);
         EXPECT_LT(worst, slab.published_bound) << slab.name;
-    }
-}
-
-// The integral equation of isotropic scattering is another reference than doubling.
-TEST(PlaneParallel, DoublingAgreesWithTheIntegralEquation) {
-    for (const char* name : {"1a", "1b"}) {
-        const Slab& slab = slab_named(name);
-        const IsotropicSlab integral(slab.depth, slab.albedo, slab.sun_cosine, slab.beam);
-        for (const ViewOfSlab& at : views_of(slab)) {
-            EXPECT_NEAR(at.radiance, integral.leaving(at.cosine, at.is_up), 1e-5 * at.radiance)
-                << name << ' ' << at.cosine << ' ' << at.is_up;
-        }
     }
 }
 

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <iterator>
+#include <map>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -206,72 +208,60 @@ TEST(Translation, RefusesTheRestOfGlsl) {
 // Words that the languages keep for themselves and that a name in GLSL may be: of the specifications of
 // WGSL (15.2) and of Metal's language (C++14's keywords and 2), of HLSL's appendix of keywords, and of
 // Godot's shading language with its constants.
+const std::map<Language, const char*> kReservedWords = {
+    {Language::hlsl,
+     "AppendStructuredBuffer asm asm_fragment auto BlendState Buffer ByteAddressBuffer "
+     "case "
+     "catch cbuffer centroid char class column_major compile compile_fragment "
+     "CompileShader const_cast ConsumeStructuredBuffer default delete DepthStencilState "
+     "DepthStencilView double dword dynamic_cast enum explicit export extern "
+     "float1 friend fxgroup GeometryShader goto groupshared half Hullshader inline "
+     "InputPatch interface line lineadj linear LineStream long matrix mutable namespace "
+     "new nointerpolation noperspective NULL operator OutputPatch packoffset pass "
+     "pixelfragment PixelShader point PointStream precise private protected public "
+     "RasterizerState register reinterpret_cast row_major sample sampler SamplerState "
+     "shared short signed sizeof snorm stateblock static static_cast string "
+     "StructuredBuffer switch tbuffer technique template texture this throw "
+     "triangle triangleadj TriangleStream try typedef typename uint uniform union unorm "
+     "unsigned using vector vertexfragment VertexShader virtual void volatile size_of"},
+    {Language::msl,
+     "alignas alignof and asm auto bitand bitor case catch char class compl constant "
+     "constexpr const_cast decltype default delete device double dynamic_cast enum "
+     "explicit export extern fragment friend goto half inline kernel long mutable "
+     "namespace new noexcept not nullptr operator or private protected public register "
+     "reinterpret_cast short signed sizeof static static_assert static_cast switch "
+     "template this thread threadgroup throw try typedef typeid typename uint union "
+     "unsigned using vertex virtual void volatile wchar_t xor"},
+    {Language::wgsl,
+     "NULL Self abstract active alias alignas alignof as asm asm_fragment async "
+     "attribute "
+     "auto await become break case cast catch class co_await co_return co_yield "
+     "coherent column_major common compile compile_fragment concept const const_assert "
+     "const_cast consteval constexpr constinit continue continuing crate debugger "
+     "decltype default delete demote demote_to_helper diagnostic discard do "
+     "dynamic_cast enable enum explicit export extends extern external fallthrough "
+     "filter final finally fn for friend from fxgroup get goto groupshared highp impl "
+     "implements import inline instanceof interface layout let loop lowp macro "
+     "macro_rules match mediump meta mod module move mut mutable namespace new nil "
+     "noexcept noinline nointerpolation non_coherent noncoherent noperspective null "
+     "nullptr of operator override package packoffset partial pass patch "
+     "pixelfragment precise precision premerge priv protected pub public readonly ref "
+     "regardless register reinterpret_cast require requires resource restrict self set "
+     "shared sizeof smooth snorm static static_assert static_cast std subroutine super "
+     "switch target template this thread_local throw trait try type typedef typeid "
+     "typename typeof union unless unorm unsafe unsized use using var varying virtual "
+     "volatile wgsl where with writeonly yield"},
+    {Language::godot,
+     "PI TAU E TIME CLIP_SPACE_FAR OUTPUT_IS_SRGB break case continue default discard "
+     "do flat for "
+     "global group_uniforms hint_range highp in inout instance instance_uniform lowp "
+     "mediump out render_mode shader_type smooth source_color stencil_mode switch uint "
+     "uniform varying void mat2 mat3 mat4 uvec2 bvec2"},
+    {Language::glsl, ""}};
+
 std::set<std::string> reserved_words(Language language) {
-    const char* text = "";
-    switch (language) {
-        case Language::glsl:
-            break;
-        case Language::hlsl:
-            text =
-                "AppendStructuredBuffer asm asm_fragment auto BlendState Buffer ByteAddressBuffer "
-                "case "
-                "catch cbuffer centroid char class column_major compile compile_fragment "
-                "CompileShader const_cast ConsumeStructuredBuffer default delete DepthStencilState "
-                "DepthStencilView double dword dynamic_cast enum explicit export extern "
-                "float1 friend fxgroup GeometryShader goto groupshared half Hullshader inline "
-                "InputPatch interface line lineadj linear LineStream long matrix mutable namespace "
-                "new nointerpolation noperspective NULL operator OutputPatch packoffset pass "
-                "pixelfragment PixelShader point PointStream precise private protected public "
-                "RasterizerState register reinterpret_cast row_major sample sampler SamplerState "
-                "shared short signed sizeof snorm stateblock static static_cast string "
-                "StructuredBuffer switch tbuffer technique template texture this throw "
-                "triangle triangleadj TriangleStream try typedef typename uint uniform union unorm "
-                "unsigned using vector vertexfragment VertexShader virtual void volatile size_of";
-            break;
-        case Language::msl:
-            text =
-                "alignas alignof and asm auto bitand bitor case catch char class compl constant "
-                "constexpr const_cast decltype default delete device double dynamic_cast enum "
-                "explicit export extern fragment friend goto half inline kernel long mutable "
-                "namespace new noexcept not nullptr operator or private protected public register "
-                "reinterpret_cast short signed sizeof static static_assert static_cast switch "
-                "template this thread threadgroup throw try typedef typeid typename uint union "
-                "unsigned using vertex virtual void volatile wchar_t xor";
-            break;
-        case Language::wgsl:
-            text =
-                "NULL Self abstract active alias alignas alignof as asm asm_fragment async "
-                "attribute "
-                "auto await become break case cast catch class co_await co_return co_yield "
-                "coherent column_major common compile compile_fragment concept const const_assert "
-                "const_cast consteval constexpr constinit continue continuing crate debugger "
-                "decltype default delete demote demote_to_helper diagnostic discard do "
-                "dynamic_cast enable enum explicit export extends extern external fallthrough "
-                "filter final finally fn for friend from fxgroup get goto groupshared highp impl "
-                "implements import inline instanceof interface layout let loop lowp macro "
-                "macro_rules match mediump meta mod module move mut mutable namespace new nil "
-                "noexcept noinline nointerpolation non_coherent noncoherent noperspective null "
-                "nullptr of operator override package packoffset partial pass patch "
-                "pixelfragment precise precision premerge priv protected pub public readonly ref "
-                "regardless register reinterpret_cast require requires resource restrict self set "
-                "shared sizeof smooth snorm static static_assert static_cast std subroutine super "
-                "switch target template this thread_local throw trait try type typedef typeid "
-                "typename typeof union unless unorm unsafe unsized use using var varying virtual "
-                "volatile wgsl where with writeonly yield";
-            break;
-        case Language::godot:
-            text =
-                "PI TAU E TIME CLIP_SPACE_FAR OUTPUT_IS_SRGB break case continue default discard "
-                "do flat for "
-                "global group_uniforms hint_range highp in inout instance instance_uniform lowp "
-                "mediump out render_mode shader_type smooth source_color stencil_mode switch uint "
-                "uniform varying void mat2 mat3 mat4 uvec2 bvec2";
-            break;
-    }
-    std::istringstream words(text);
-    std::set<std::string> all;
-    for (std::string word; words >> word;) all.insert(word);
-    return all;
+    std::istringstream words(kReservedWords.at(language));
+    return {std::istream_iterator<std::string>(words), {}};
 }
 
 TEST(Translation, UsesNoReservedWordAsAName) {

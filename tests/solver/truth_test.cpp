@@ -15,12 +15,6 @@
 namespace skybake {
 namespace {
 
-std::vector<std::vector<double>> rows_of(const std::string& name) {
-    auto rows = test::number_rows(SKYBAKE_TEST_DATA "/" + name);
-    EXPECT_GT(rows.size(), 50U) << name;
-    return rows;
-}
-
 SkyMedium black_earth() {
     return test::preset_sky("earth_hillaire", {"atmosphere.ground_albedo=0"});
 }
@@ -29,7 +23,7 @@ TEST(SolvedLightTruth, MeanRadiance) {
     const SolvedLight light = solve_light(black_earth(), {}, 0);
     double chi_square = 0;
     int count = 0;
-    for (const std::vector<double>& row : rows_of("truth_mslut_setH0.csv")) {
+    for (const auto& row : test::number_rows(SKYBAKE_TEST_DATA "/truth_mslut_setH0.csv")) {
         const auto channel = static_cast<std::size_t>(row[2]);
         const double value =
             light.mean_radiance_at(row[0], std::cos(row[1] * test::kDegree))[channel];
@@ -45,52 +39,35 @@ TEST(SolvedLightTruth, MeanRadiance) {
     EXPECT_LT(chi_square / count, 1.6);
 }
 
-struct Errors {
-    double median;
-    double ninth_decile;
-};
-
-Errors sky_errors(const SkyMedium& medium, const HigherOrders& orders,
-                  const std::vector<std::vector<double>>& truth, double last_sun) {
-    const SkyIntegrator integrator(medium, &orders);
-    std::vector<double> errors;
-    for (const std::vector<double>& row : truth) {
-        if (row[1] > last_sun) continue;
-        const test::View view = test::view_at(row[0], row[1], row[2], row[3]);
-        const SkyRadiance radiance = integrator.radiance(row[0], view.sun, view.direction);
-        const auto c = static_cast<std::size_t>(row[4]);
-        errors.push_back(std::fabs((radiance.single[c] + radiance.multiple[c]) / row[11] - 1));
-    }
-    std::sort(errors.begin(), errors.end());
-    return {errors[errors.size() / 2], errors[errors.size() * 9 / 10]};
-}
-
 // With these paths' own standard error a perfect sky would have 0.1 and 1.3 %, and 0.1 and 0.2 % up to
 // the sun at the horizon.
 TEST(SolvedLightTruth, Sky) {
     const SkyMedium medium = black_earth();
-    const auto truth = rows_of("truth_sky_setH0_h0.5.csv");
+    const auto truth = test::sky_truth_of(SKYBAKE_TEST_DATA "/truth_sky_setH0_h0.5.csv");
     SolverSettings settings;
     settings.degree = 8;
     const SolvedLight light = solve_light(medium, settings, 0);
-    const auto moments = [&](int degree) {
-        return sky_errors(medium, SolvedOrders(medium, light, degree), truth, 90);
+    const auto errors = [&](const HigherOrders& orders, double last_sun) {
+        return test::SkyErrors(SkyIntegrator(medium, &orders), truth, 0, last_sun);
     };
-    EXPECT_LT(moments(8).median, 1.5e-3);
-    EXPECT_LT(moments(8).ninth_decile, 4e-3);
-    EXPECT_LT(moments(4).median, 2.5e-3);
-    EXPECT_LT(moments(4).ninth_decile, 7e-3);
-    EXPECT_LT(moments(2).median, 4e-3);
-    EXPECT_LT(moments(2).ninth_decile, 1.5e-2);
-    const Errors all = sky_errors(medium, SolvedOrders(medium, light, 8), truth, 96);
-    EXPECT_LT(all.median, 2.5e-3);
-    EXPECT_LT(all.ninth_decile, 1.8e-2);
+    const auto moments = [&](int degree) {
+        return errors(SolvedOrders(medium, light, degree), 90);
+    };
+    EXPECT_LT(moments(8).median(), 1.5e-3);
+    EXPECT_LT(moments(8).ninth_decile(), 4e-3);
+    EXPECT_LT(moments(4).median(), 2.5e-3);
+    EXPECT_LT(moments(4).ninth_decile(), 7e-3);
+    EXPECT_LT(moments(2).median(), 4e-3);
+    EXPECT_LT(moments(2).ninth_decile(), 1.5e-2);
+    const test::SkyErrors all = errors(SolvedOrders(medium, light, 8), 96);
+    EXPECT_LT(all.median(), 2.5e-3);
+    EXPECT_LT(all.ninth_decile(), 1.8e-2);
     const IsotropicOrders mean(medium.air, [&](double altitude_km, double sun_cos_zenith) {
         return light.mean_radiance_at(altitude_km, sun_cos_zenith);
     });
-    const Errors drop_in = sky_errors(medium, mean, truth, 96);
-    EXPECT_LT(drop_in.median, 0.021);
-    EXPECT_LT(drop_in.ninth_decile, 0.057);
+    const test::SkyErrors drop_in = errors(mean, 96);
+    EXPECT_LT(drop_in.median(), 0.021);
+    EXPECT_LT(drop_in.ninth_decile(), 0.057);
 }
 
 // Twilight from 5, 20 and 80 km. With these paths' own standard error a perfect sky would have 90th
@@ -98,24 +75,24 @@ TEST(SolvedLightTruth, Sky) {
 // as by day, with as few directions, leave 2.1, 1.2 and 0.1 %, and 6.5, 4.3 and 0.2 %.
 TEST(SolvedLightTruth, TwilightFromHigh) {
     const SkyMedium medium = test::preset_sky("earth_hillaire");
-    const auto truth = rows_of("truth_sky_earth_twilight.csv");
+    const auto truth = test::sky_truth_of(SKYBAKE_TEST_DATA "/truth_sky_earth_twilight.csv");
     const SolvedLight light = solve_light(medium, {}, 0);
     const SolvedOrders orders(medium, light, light.degree());
     const auto from = [&](double altitude_km, double first_sun, double last_sun) {
-        std::vector<std::vector<double>> rows;
-        for (const std::vector<double>& row : truth) {
-            if (row[0] == altitude_km && row[1] >= first_sun) rows.push_back(row);
-        }
-        return sky_errors(medium, orders, rows, last_sun);
+        std::vector<SkyTruth> rows;
+        std::ranges::copy_if(truth, std::back_inserter(rows), [&](const SkyTruth& row) {
+            return row.direction.altitude_km == altitude_km;
+        });
+        return test::SkyErrors(SkyIntegrator(medium, &orders), rows, first_sun, last_sun);
     };
-    EXPECT_LT(from(5, 92, 96).median, 3e-3);
-    EXPECT_LT(from(5, 92, 96).ninth_decile, 1.7e-2);
-    EXPECT_LT(from(5, 97, 99).median, 9e-3);
-    EXPECT_LT(from(5, 97, 99).ninth_decile, 4.2e-2);
-    EXPECT_LT(from(20, 92, 96).ninth_decile, 8.5e-3);
-    EXPECT_LT(from(20, 97, 99).ninth_decile, 2.8e-2);
-    EXPECT_LT(from(80, 92, 96).ninth_decile, 2e-3);
-    EXPECT_LT(from(80, 97, 99).ninth_decile, 2e-3);
+    EXPECT_LT(from(5, 92, 96).median(), 3e-3);
+    EXPECT_LT(from(5, 92, 96).ninth_decile(), 1.7e-2);
+    EXPECT_LT(from(5, 97, 99).median(), 9e-3);
+    EXPECT_LT(from(5, 97, 99).ninth_decile(), 4.2e-2);
+    EXPECT_LT(from(20, 92, 96).ninth_decile(), 8.5e-3);
+    EXPECT_LT(from(20, 97, 99).ninth_decile(), 2.8e-2);
+    EXPECT_LT(from(80, 92, 96).ninth_decile(), 2e-3);
+    EXPECT_LT(from(80, 97, 99).ninth_decile(), 2e-3);
 }
 
 // In a shell of 125 scale heights rays in the thin air above the tenth are cut as below it.

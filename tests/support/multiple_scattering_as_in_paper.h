@@ -15,10 +15,12 @@
 #include <vector>
 
 #include "bakers/air/medium.h"
-#include "bakers/air/optical_depth.h"
 #include "bakers/air/transmittance_mapping.h"
+#include "bakers/assets/transmittance/transmittance_table.h"
 #include "bakers/field/image.h"
 #include "bakers/field/interpolation.h"
+#include "bakers/field/table_model.h"
+#include "config/assets/transmittance.h"
 
 namespace skybake::as_in_paper {
 
@@ -50,21 +52,10 @@ inline const std::vector<glm::dvec3>& directions() {
 
 // Makes the transmittance table that the method reads, in Bruneton's mapping.
 inline Image2<float> transmittance(const Medium& medium) {
-    const Shell shell = shell_of(medium);
-    Image2<float> table(kWidth, kHeight, medium.channels);
-    for (int y = 0; y < kHeight; ++y) {
-        for (int x = 0; x < kWidth; ++x) {
-            const TransmittanceRay ray =
-                transmittance_ray(shell, {texel_coordinate(kConvention, x, kWidth),
-                                          texel_coordinate(kConvention, y, kHeight)});
-            const Spectrum depth = optical_depth_to_top(medium, ray.altitude_km, ray.s_km);
-            for (int c = 0; c < medium.channels; ++c) {
-                table.texel(x, y)[c] =
-                    static_cast<float>(std::exp(-depth[static_cast<std::size_t>(c)]));
-            }
-        }
-    }
-    return table;
+    RangeCounts range;
+    return store_texels(
+        bake_texels(transmittance_model(medium, {}), 0, {kWidth, kHeight}, {.threads = 1}),
+        config::PixelType::float32, range);
 }
 
 // Returns Psi (1/sr) at an altitude for one sun, computed as the paper describes.

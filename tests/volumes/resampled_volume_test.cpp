@@ -5,6 +5,7 @@
 
 #include <numeric>
 
+#include "tests/support/comparisons.h"
 #include "tests/support/volumes.h"
 
 namespace skybake {
@@ -43,10 +44,6 @@ std::vector<float> all_of(const VoxelSource& voxels, const Size& size) {
 
 std::vector<float> resampled(const CloudVolume& volume, const Size& size) {
     return all_of(ResampledVolume(volume, size), size);
-}
-
-double mean_of(const std::vector<float>& values) {
-    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
 TEST(AxisTaps, SumToOneAndStayAtTheSource) {
@@ -113,9 +110,9 @@ TEST(ResampledVolume, KeepsRamps) {
 TEST(ResampledVolume, KeepsTheMeanWhereItIsCoarser) {
     const Size from = {24, 10, 9};
     const CloudVolume volume = volume_of(from, sample_voxel);
-    const double mean = mean_of(all_of(*volume.source.voxels, from));
+    const double mean = test::mean_of(all_of(*volume.source.voxels, from));
     for (const Size& to : {Size{12, 5, 3}, Size{7, 9, 4}, Size{1, 1, 1}, Size{23, 1, 2}}) {
-        EXPECT_NEAR(mean_of(resampled(volume, to)), mean, 1e-7) << to[0] << " " << to[1];
+        EXPECT_NEAR(test::mean_of(resampled(volume, to)), mean, 1e-7) << to[0] << " " << to[1];
     }
 }
 
@@ -123,8 +120,8 @@ TEST(ResampledVolume, KeepsTheMeanWhereItIsCoarser) {
 TEST(ResampledVolume, KeepsTheMeanOfAVolumeThatRepeats) {
     const Size from = {6, 5, 4};
     const CloudVolume volume = volume_of(from, sample_voxel, VolumeWrap::repeat);
-    const double mean = mean_of(all_of(*volume.source.voxels, from));
-    EXPECT_NEAR(mean_of(resampled(volume, {12, 15, 4})), mean, 1e-7);
+    const double mean = test::mean_of(all_of(*volume.source.voxels, from));
+    EXPECT_NEAR(test::mean_of(resampled(volume, {12, 15, 4})), mean, 1e-7);
 }
 
 // The finest pattern that a volume can hold is grey where voxels are twice as large.

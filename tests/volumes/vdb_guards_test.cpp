@@ -14,8 +14,6 @@
 namespace skybake {
 namespace {
 
-using testing::write_length;
-
 namespace io = openvdb::io;
 
 constexpr std::uint32_t kMasked = io::COMPRESS_ACTIVE_MASK;
@@ -58,7 +56,7 @@ std::string bytes_of(const openvdb::GridBase::Ptr& grid, std::uint32_t compressi
 
 // Writes a number at a place of a copy.
 std::string with(std::string bytes, std::size_t at, std::uint64_t number, std::size_t count = 4) {
-    write_length(bytes, at, number, count);
+    std::memcpy(&bytes.at(at), &number, count);
     return bytes;
 }
 

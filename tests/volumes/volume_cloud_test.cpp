@@ -232,20 +232,18 @@ TEST_F(VolumeCloud, MayBeOneVoxel) {
 
 // --- Errors -------------------------------------------------------------------------------------
 
-std::vector<std::string> errors_of(const std::string& text, const std::filesystem::path& folder) {
-    std::vector<std::string> errors;
-    for (const auto& found : config::parse_recipe(text, "r.toml", folder).diagnostics) {
-        if (found.severity != config::Severity::error) continue;
-        errors.push_back(fmt::format("{} {}:{} {}; {}", found.code, found.where.line,
-                                     found.where.column, found.message, found.label));
-    }
-    return errors;
-}
-
 using Errors = std::vector<std::string>;
 
 TEST_F(VolumeCloud, ErrorsSayWhereTheyAre) {
-    const auto errors = [&](const std::string& text) { return errors_of(text, folder_.path()); };
+    const auto errors = [&](const std::string& text) {
+        std::vector<std::string> errors;
+        for (const auto& found : config::parse_recipe(text, "r.toml", folder_.path()).diagnostics) {
+            if (found.severity != config::Severity::error) continue;
+            errors.push_back(fmt::format("{} {}:{} {}; {}", found.code, found.where.line,
+                                         found.where.column, found.message, found.label));
+        }
+        return errors;
+    };
     const std::string missing = (folder_ / "c.vdb").string();
     const std::string recipe = "[volumes.v]\nfile = \"c.vdb\"\n[clouds.c]\nvolume = \"v\"\n";
     EXPECT_EQ(errors(recipe),
