@@ -8,10 +8,10 @@
 
 #include "bakers/clouds/cloud_field.h"
 #include "bakers/clouds/cloud_plan.h"
-#include "bakers/clouds/cloud_specification.h"
 #include "bakers/clouds/tower_field.h"
 #include "config/sections/cloud.h"
 #include "config/sections/noise.h"
+#include "tests/clouds/cloud_specification.h"
 #include "tests/noise/noises.h"
 #include "tests/support/any_values.h"
 
