@@ -118,12 +118,13 @@ CloudAir::Range range_of(const SceneFrame& frame, double reach_m) {
     return range;
 }
 
-// Returns the slope of rays from above all layers that touch the highest one's top where that is round. Flat
-// layers go on beyond it. From below, no ray has a greater slope.
+// Returns the slope of rays from above all layers that touch the highest one's top on a round planet. Flat layers
+// go on beyond it. Returns 1, which no ray exceeds, from below, and for a tile that stands alone.
 double limb_slope(const Shell& shell, const std::vector<SceneLayer>& layers,
                   const CloudCamera& camera) {
     double top_m = 0;
     for (const SceneLayer& layer : layers) {
+        if (!layer.medium->repeats) return 1;
         top_m = std::max(top_m, layer.medium->base_m + layer.medium->extent_m[2]);
     }
     if (camera.position_m.z <= top_m) return 1;
