@@ -23,8 +23,8 @@ MOST_SECTION_UNITS = 170
 # A change that adds a feature gives as many lines back. Lower these where lines were saved. Published tables
 # (*.inc) are data, as presets are, and do not count.
 MOST_PRODUCT_LINES = 131_422
-MOST_TEST_LINES = 73_330
-MOST_HELPER_LINES = 18_555
+MOST_TEST_LINES = 72_241
+MOST_HELPER_LINES = 17_667
 
 
 def sources(*rooms):
