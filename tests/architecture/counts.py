@@ -22,9 +22,9 @@ SECTIONS = ("noise", "cloud", "layer", "volume", "files")
 MOST_SECTION_UNITS = 170
 # A change that adds a feature gives as many lines back. Lower these where lines were saved. Published tables
 # (*.inc) are data, as presets are, and do not count.
-MOST_PRODUCT_LINES = 130_870
-MOST_TEST_LINES = 73_777
-MOST_HELPER_LINES = 18_855
+MOST_PRODUCT_LINES = 130_961
+MOST_TEST_LINES = 72_816
+MOST_HELPER_LINES = 17_973
 
 
 def sources(*rooms):

@@ -15,18 +15,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string text_of(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
-
 // Returns the number of recipes in a folder; a broken property ends the process and names itself.
 int check_recipes(const fs::path& folder) {
     int count = 0;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
         if (entry.path().extension() != ".toml") continue;
         SCOPED_TRACE(entry.path().filename().string());
-        fuzzing::check_outcome(parse_recipe(text_of(entry.path()), entry.path().string()));
+        std::ifstream file(entry.path(), std::ios::binary);
+        const std::string text{std::istreambuf_iterator<char>(file), {}};
+        fuzzing::check_outcome(parse_recipe(text, entry.path().string()));
         ++count;
     }
     return count;

@@ -91,20 +91,14 @@ TEST(Gas, ScattersByRayleighsLawWhereNothingIsSaid) {
 
 // --- At other wavelengths ------------------------------------------------------------------------
 
-std::vector<Length> lengths(const std::vector<double>& nm) {
-    std::vector<Length> result;
-    for (const double value : nm) result.push_back({value * 1e-9});
-    return result;
-}
-
 TEST(AtmosphereAt, NumbersFollowThePowerLawBetweenThem) {
     const Recipe recipe = valid(planet.substr(0, planet.find("ground_albedo")) +
                                 "ground_albedo = [0.4, 0.2, 0.1]\n[atmosphere.layers.a]\n"
                                 "scattering = ['1e-6 /m', '2e-6 /m', '4e-6 /m']\n" +
                                 exponential);
     const Parameters& given = recipe.parameters;
-    const Atmosphere at =
-        atmosphere_at(given.atmosphere, given.wavelengths, lengths({440, 495, 550, 615, 680, 780}));
+    const std::vector<Length> others = {{440e-9}, {495e-9}, {550e-9}, {615e-9}, {680e-9}, {780e-9}};
+    const Atmosphere at = atmosphere_at(given.atmosphere, given.wavelengths, others);
     const auto scattering = [&](std::size_t i) { return at.layers[0].scattering[i].per_meter; };
     EXPECT_NEAR(scattering(0), 4e-6, 1e-18);
     EXPECT_NEAR(scattering(2), 2e-6, 1e-18);

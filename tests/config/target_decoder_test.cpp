@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <fstream>
 #include <iterator>
@@ -41,15 +43,12 @@ std::string recipe_of(std::string_view asset, const std::string& keys) {
            std::string(asset) + "'\n" + keys + (needed == NEEDED_KEYS.end() ? "" : needed->second);
 }
 
-std::string target_key(const TargetFacts& target) {
-    return "target = '" + std::string(target.name) + "'\n";
-}
-
 // Every target either loads an asset with what it chooses by itself, or the recipe is told so.
 TEST(Targets, LoadEveryAssetOrSayThatTheyDoNot) {
     for (const TargetFacts& target : targets()) {
         for (const AssetKind* kind : asset_kinds()) {
-            const auto recipe = parse(recipe_of(kind->facts.name, target_key(target)));
+            const auto recipe =
+                parse(recipe_of(kind->facts.name, fmt::format("target = '{}'\n", target.name)));
             const TargetUse* use = find_use(target, kind->facts.name);
             if (use && use->light_channels > 3) use = nullptr;  // the preset has three
             Codes errors;

@@ -151,6 +151,11 @@ TEST(AlteredManifest, EveryValueIsUnderAHash) {
             ASSERT_NE(changed[at], json[at]) << at;
             expect_told(changed, at, "altered ");
         }
+        if (json[at].is_object()) {
+            Json more = json;
+            more[at]["extra"] = 1;
+            expect_told(more, at / "extra", "added ");
+        }
         expect_told(without(json, at), at, "deleted ");
         if (json[at.parent_pointer()].is_array()) {
             expect_told(with_twin(json, at), at, "doubled ");

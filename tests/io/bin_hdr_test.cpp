@@ -12,14 +12,11 @@ namespace {
 
 using namespace testing;
 
-std::string written(const TemporaryFolder& folder, const Baked& volume, int threads) {
-    return testing::written(folder, config::FileFormat::bin, volume, threads);
-}
-
 TEST(BinVolume, IsXThenYThenZWithChannelsInterleaved) {
     const TemporaryFolder folder;
     const std::array<int, 3> size = {5, 3, 2};
-    const std::string bytes = written(folder, plain_volume(size, 3, PixelType::unorm8), 1);
+    const std::string bytes =
+        written(folder, config::FileFormat::bin, plain_volume(size, 3, PixelType::unorm8), 1);
     ASSERT_EQ(bytes.size(), 5U * 3 * 2 * 3);
     std::size_t i = 0;
     testing::for_each_voxel({5, 3, 2}, [&](int x, int y, int z) {
@@ -34,7 +31,7 @@ TEST(BinVolume, IsLittleEndian) {
     const TemporaryFolder folder;
     const auto one = [](int, int, int, int) { return 0.25F; };
     const auto bytes_of = [&](PixelType type) {
-        return written(folder, plain_volume({1, 1, 1}, 1, type, one), 1);
+        return written(folder, config::FileFormat::bin, plain_volume({1, 1, 1}, 1, type, one), 1);
     };
     EXPECT_EQ(bytes_of(PixelType::float32), std::string("\x00\x00\x80\x3e", 4));
     EXPECT_EQ(bytes_of(PixelType::half), std::string("\x00\x34", 2));

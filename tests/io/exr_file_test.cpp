@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cstring>
 
 #include "bakers/field/baked.h"
 #include "tests/io/exr_bytes.h"
@@ -20,12 +19,11 @@ namespace fs = std::filesystem;
 using config::Compression;
 using testing::plain_volume;
 using testing::sample_voxel;
+using testing::word;
+using testing::written;
 using Kind = config::SheetLayout;
 
-// Writes level 0 into a file of the folder and returns its bytes.
-std::string written(const TemporaryFolder& folder, const Baked& volume, int threads) {
-    return testing::written(folder, config::FileFormat::exr, volume, threads);
-}
+constexpr auto kFormat = config::FileFormat::exr;
 
 // The image that the volume should be, texel by texel.
 ExrImage expected_image(const Baked& volume, const testing::FunctionVoxels::Function& content) {
@@ -62,30 +60,19 @@ int rows_of(Compression compression) {
     return compression == Compression::zip ? 16 : 1;
 }
 
-// Where the chunks of a file begin.
+// Where the table of chunks is in a file, and each chunk: its first row, its length, its bytes.
 struct ChunkTable {
-    std::size_t at = 0;  // where the table is in the file
+    std::size_t at = 0;
     std::vector<std::uint64_t> positions;
 };
 
 ChunkTable chunk_table(const std::string& bytes, const ExrImage& image) {
     ChunkTable table{testing::exr_attributes(bytes).back().end() + 1, {}};
-    const int rows = rows_of(image.compression);
-    table.positions.resize(static_cast<std::size_t>((image.pixels.height + rows - 1) / rows));
-    std::memcpy(table.positions.data(), &bytes[table.at],
-                table.positions.size() * sizeof(std::uint64_t));
+    for (int row = 0; row < image.pixels.height; row += rows_of(image.compression)) {
+        table.positions.push_back(testing::number<std::uint64_t>(
+            bytes, table.at + sizeof(std::uint64_t) * table.positions.size()));
+    }
     return table;
-}
-
-struct ChunkHead {
-    std::int32_t row = 0;
-    std::int32_t length = 0;  // of what follows
-};
-
-ChunkHead chunk_head(const std::string& bytes, std::uint64_t position) {
-    ChunkHead head;
-    std::memcpy(&head, &bytes[position], sizeof(head));
-    return head;
 }
 
 const std::vector<Shape>& shapes() {
@@ -97,15 +84,11 @@ const std::vector<Shape>& shapes() {
     return all;
 }
 
-bool is_deflated(Compression compression) {
-    return compression == Compression::zip || compression == Compression::zips;
-}
-
 // Expects the file that encode_exr makes, which writes a whole image from memory by the library
 // alone: the same bytes where nothing is deflated, and else the same header and the same texels.
 void expect_file_of_library(const std::string& bytes, const ExrImage& image) {
     const std::string wanted = encode_exr(image);
-    if (!is_deflated(image.compression)) {
+    if (image.compression != Compression::zip && image.compression != Compression::zips) {
         EXPECT_TRUE(bytes == wanted);
         return;
     }
@@ -120,33 +103,27 @@ void expect_file_of_library(const std::string& bytes, const ExrImage& image) {
     std::uint64_t next = ours.at + sizeof(std::uint64_t) * ours.positions.size();
     for (std::size_t i = 0; i < ours.positions.size(); ++i) {
         EXPECT_EQ(ours.positions[i], next);  // in the order of rows, without gaps
-        const auto [row, length] = chunk_head(bytes, ours.positions[i]);
-        EXPECT_EQ(row, chunk_head(wanted, theirs.positions[i]).row);
-        next += 2 * sizeof(std::int32_t) + static_cast<std::uint64_t>(length);
+        EXPECT_EQ(word(bytes, next), word(wanted, theirs.positions[i])) << "the first row";
+        next += 2 * sizeof(std::int32_t) + word(bytes, next + sizeof(std::int32_t));
     }
     EXPECT_EQ(bytes.size(), next);
 }
-
-float zero(int, int, int, int) { return 0; }
 
 float ramp(int x, int y, int z, int channel) {
     return static_cast<float>((x + 3 * y + 5 * z + 7 * channel) % 64) / 64.0F;
 }
 
-// Noise, of which chunks do not shrink and are stored as they are, and what packs well.
-const std::vector<testing::FunctionVoxels::Function>& contents() {
-    static const std::vector<testing::FunctionVoxels::Function> all = {sample_voxel, ramp, zero};
-    return all;
-}
-
 TEST(ExrVolume, IsTheFileOfTheLibrary) {
     const TemporaryFolder folder;
+    // Noise, of which chunks do not shrink and are stored as they are, and what packs well.
+    const std::vector<testing::FunctionVoxels::Function> contents = {
+        sample_voxel, ramp, [](int, int, int, int) { return 0.0F; }};
     for (const Shape& shape : shapes()) {
         for (const int channels : {1, 3, 4}) {
             for (const PixelType type : {PixelType::half, PixelType::float32}) {
                 for (const Compression compression :
                      {Compression::none, Compression::zip, Compression::zips, Compression::piz}) {
-                    for (const auto& content : contents()) {
+                    for (const auto& content : contents) {
                         Baked volume = plain_volume(shape.size, channels, type, content);
                         volume.layout = shape.layout;
                         volume.columns = shape.columns;
@@ -154,7 +131,7 @@ TEST(ExrVolume, IsTheFileOfTheLibrary) {
                         SCOPED_TRACE(fmt::format("{}x{}x{}, {} channels, {}", shape.size[0],
                                                  shape.size[1], shape.size[2], channels,
                                                  static_cast<int>(compression)));
-                        expect_file_of_library(written(folder, volume, 2),
+                        expect_file_of_library(written(folder, kFormat, volume, 2),
                                                expected_image(volume, content));
                     }
                 }
@@ -182,9 +159,9 @@ TEST(ExrVolume, DoesNotDependOnBoxesAndThreads) {
                 volume.flip = flip;
                 volume.compression = compression;
                 SCOPED_TRACE(fmt::format("{} columns, {}", shape.size[0], flip));
-                const std::string wanted = written(folder, volume, 1);
+                const std::string wanted = written(folder, kFormat, volume, 1);
                 expect_file_of_library(wanted, expected_image(volume, ramp));
-                EXPECT_TRUE(written(folder, volume, 5) == wanted);
+                EXPECT_TRUE(written(folder, kFormat, volume, 5) == wanted);
             }
         }
     }
@@ -196,7 +173,8 @@ TEST(ExrVolume, SaysThatNamesAreLong) {
         Baked volume = plain_volume({3, 2, 1}, 1, PixelType::half);
         volume.channel_names[0] = std::string(length, 'n');
         volume.compression = Compression::none;
-        expect_file_of_library(written(folder, volume, 1), expected_image(volume, sample_voxel));
+        expect_file_of_library(written(folder, kFormat, volume, 1),
+                               expected_image(volume, sample_voxel));
     }
 }
 
@@ -212,11 +190,12 @@ TEST(ExrVolume, NoChunkIsLargerThanItsTexels) {
         Baked volume = plain_volume({40, 32, 3}, 3, PixelType::float32, noise);
         volume.compression = compression;
         const ExrImage image = expected_image(volume, noise);
-        const std::string bytes = written(folder, volume, 2);
+        const std::string bytes = written(folder, kFormat, volume, 2);
         expect_file_of_library(bytes, image);
         for (const std::uint64_t position : chunk_table(bytes, image).positions) {
-            const auto [row, length] = chunk_head(bytes, position);
-            EXPECT_LE(length, std::min(rows_of(compression), 96 - row) * 40 * 3 * 4);
+            const auto row = static_cast<int>(word(bytes, position));
+            EXPECT_LE(word(bytes, position + 4),
+                      static_cast<unsigned>(std::min(rows_of(compression), 96 - row)) * 40 * 3 * 4);
         }
     }
 }
@@ -230,21 +209,19 @@ TEST(ExrVolume, ReadsBackInTheOrderOfTheVoxels) {
         Baked volume = plain_volume(shape.size, 3, PixelType::half);
         volume.layout = shape.layout;
         volume.columns = shape.columns;
-        written(folder, volume, 2);
-        EXPECT_EQ(testing::wrong_values(config::FileFormat::exr, volume, folder / "a.file"), 0);
+        written(folder, kFormat, volume, 2);
+        EXPECT_EQ(testing::wrong_values(kFormat, volume, folder / "a.file"), 0);
     }
 }
 
 TEST(ExrVolume, RefusesWhatExrDoesNotHave) {
     for (const Baked& volume : {plain_volume({2, 2, 2}, 1, PixelType::unorm8),
                                 plain_volume({1, 60000, 60000}, 1, PixelType::half)}) {
-        EXPECT_EQ(testing::write_code(config::FileFormat::exr, volume), "E0500");
+        EXPECT_EQ(testing::write_code(kFormat, volume), "E0500");
     }
 }
 
-TEST(ExrVolume, SaysWhyItCannotWrite) {
-    testing::expect_says_why_it_cannot_write(config::FileFormat::exr);
-}
+TEST(ExrVolume, SaysWhyItCannotWrite) { testing::expect_says_why_it_cannot_write(kFormat); }
 
 TEST(ExrVolume, StopsWhenInterrupted) {
     const TemporaryFolder folder;
@@ -257,9 +234,7 @@ TEST(ExrVolume, StopsWhenInterrupted) {
         });
     testing::CancelledAt progress("", 2);
     progress.in_order = true;
-    EXPECT_EQ(
-        testing::write_as(config::FileFormat::exr, volume, 2, &progress, folder / "a.exr").value,
-        false);
+    EXPECT_EQ(testing::write_as(kFormat, volume, 2, &progress, folder / "a.exr").value, false);
     EXPECT_LT(made, 8 * BoxSequence::kFloats);
 }
 
@@ -283,8 +258,7 @@ TEST(LargeExrVolume, StaysWithinOneGibibyteOfMemory) {
         Baked volume = plain_volume({1024, 1024, 256}, 4, PixelType::half);
         volume.levels[0].voxels = std::make_shared<RampVoxels>();
         volume.compression = Compression::none;
-        const auto result =
-            testing::write_as(config::FileFormat::exr, volume, 4, nullptr, folder / "a.exr");
+        const auto result = testing::write_as(kFormat, volume, 4, nullptr, folder / "a.exr");
         return result.value == true ? 0 : 1;
     });
     EXPECT_EQ(status, 0);

@@ -5,6 +5,7 @@
 
 #include <atomic>
 
+#include "tests/io/format_checks.h"
 #include "tests/io/small_disks.h"
 #include "tests/io/vdb_samples.h"
 #include "tests/support/cancelled_at.h"
@@ -13,8 +14,6 @@ namespace skybake {
 namespace {
 
 using namespace testing;
-
-const auto go_on = [](const VdbSlab&) { return true; };
 
 TEST(VdbWriteFails, WhereTheDiskIsFull) {
     const auto written = write_sample(vdb_sample({64, 64, 64}, 1, PixelType::half), "/dev/full");
@@ -91,7 +90,7 @@ TEST(VdbWriteInterrupted, ReturnsEarlyWithoutAnError) {
 TEST(VdbReadFails, WhereThereIsNoFile) {
     const TemporaryFolder folder;
     EXPECT_EQ(first_code(read_vdb(folder / "none.vdb").diagnostics), "E0300");
-    EXPECT_EQ(first_code(read_vdb_voxels(folder / "none.vdb", go_on).diagnostics), "E0300");
+    EXPECT_EQ(read_code(config::FileFormat::vdb, folder / "none.vdb", {}), "E0300");
     EXPECT_EQ(first_code(read_vdb(folder.path()).diagnostics), "E0300");
     EXPECT_EQ(first_code(read_vdb("/dev/null").diagnostics), "E0300");
 }
@@ -114,10 +113,13 @@ TEST(VdbReadFails, ForBoxesOfOthersElsewhere) {
         grid->sparseFill(box, 0.5F);
         grid->tree().setValueOff(openvdb::Coord(3, 4, 5), inactive);
         openvdb::io::File((folder / "v.vdb").string()).write(openvdb::GridPtrVec{grid});
-        const auto read = read_vdb_voxels(folder / "v.vdb", [&](const VdbSlab& slab) {
-            const auto at = static_cast<std::size_t>((5 * slab.size[1] + 4) * slab.size[0] + 3);
-            return slab.first_z > 0 || slab.voxels[at] == inactive;
-        });
+        const FileShape shape = {
+            {box.dim()[0], box.dim()[1], box.dim()[2]}, 1, PixelType::half, {}, 1};
+        const auto visit = [&](std::int64_t first, std::int64_t count, const float* values) {
+            const auto at = (5 * shape.size[1] + 4) * shape.size[0] + 3 - first;
+            return at < 0 || at >= count || values[at] == inactive;
+        };
+        const auto read = read_file_of(vdb_format(), folder / "v.vdb", shape, 0, visit);
         return read.value == true ? "read" : first_code(read.diagnostics);
     };
     using openvdb::Coord;
@@ -128,13 +130,13 @@ TEST(VdbReadFails, ForBoxesOfOthersElsewhere) {
 
 TEST(VdbRead, EndsWhereTheVisitorWants) {
     const TemporaryFolder folder;
-    ASSERT_TRUE(write_sample(vdb_sample({8, 8, 64}, 1, PixelType::half), folder / "v.vdb").value);
-    int slabs = 0;
-    const auto read =
-        read_vdb_voxels(folder / "v.vdb", [&](const VdbSlab&) { return ++slabs < 3; });
-    ASSERT_TRUE(read.value.has_value());
-    EXPECT_FALSE(*read.value);
-    EXPECT_EQ(slabs, 3);
+    const Baked volume = vdb_sample({8, 8, 64}, 1, PixelType::half);
+    ASSERT_TRUE(write_sample(volume, folder / "v.vdb").value);
+    int parts = 0;
+    const auto visit = [&](std::int64_t, std::int64_t, const float*) { return ++parts < 3; };
+    EXPECT_EQ(read_file_of(vdb_format(), folder / "v.vdb", shape_of(volume), 0, visit).value,
+              false);
+    EXPECT_EQ(parts, 3);
 }
 
 }  // namespace

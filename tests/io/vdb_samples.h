@@ -4,13 +4,9 @@
 #include <array>
 #include <filesystem>
 #include <fstream>
-#include <functional>
-#include <span>
 
 #include "bakers/field/pixel_type.h"
 #include "bakers/io/formats/vdb/vdb_file.h"
-#include "bakers/io/formats/vdb/vdb_source.h"
-#include "tests/io/open_formats.h"
 #include "tests/support/volumes.h"
 
 namespace skybake::testing {
@@ -36,34 +32,6 @@ inline config::Outcome<bool> write_sample(const Baked& volume, const std::filesy
     std::ofstream(path, std::ios::app);  // the writer wants a file
     const Attributes attributes = {{"skybake/kind", "noise_volume"}, {"skybake/release", "1"}};
     return write_vdb(volume, 0, attributes, threads, nullptr, path);
-}
-
-// Planes z = first_z ... first_z + depth - 1 of all grids, channels interleaved, x fastest.
-struct VdbSlab {
-    std::array<int, 3> size{};  // of the volume
-    int first_z = 0;
-    int depth = 0;
-    std::span<const float> voxels;
-};
-
-// Reads a file as verify does, where its first grid says the size.
-inline config::Outcome<bool> read_vdb_voxels(
-    const std::filesystem::path& path, const std::function<bool(const VdbSlab& slab)>& visit) {
-    const auto file = read_vdb(path);
-    if (!file.value) return {{}, file.diagnostics};
-    const auto grid = open_vdb_grid(path, file.value->grids.at(0).name, VolumePart::shape);
-    if (!grid.value) return {{}, grid.diagnostics};
-    FileShape shape;
-    shape.size = grid.value->size;
-    shape.channels = file.value->grids.size();
-    const std::int64_t plane = std::int64_t{shape.size[0]} * shape.size[1];
-    return read_file_of(
-        vdb_format(), path, shape, 0, [&](std::int64_t first, std::int64_t count, const float* v) {
-            return visit({shape.size,
-                          static_cast<int>(first / plane),
-                          static_cast<int>(count / plane),
-                          {v, static_cast<std::size_t>(count) * shape.channels}});
-        });
 }
 
 }  // namespace skybake::testing

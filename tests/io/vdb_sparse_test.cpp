@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "bakers/io/formats/vdb/vdb_file.h"
+#include "bakers/io/formats/vdb/vdb_source.h"
 #include "tests/io/files.h"
 #include "tests/io/vdb_samples.h"
 #include "tests/io/vdb_trees.h"

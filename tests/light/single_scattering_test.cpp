@@ -36,15 +36,6 @@ std::string recipe(const std::string& profile, const std::string& scattering, do
         g, profile, scattering, bakes);
 }
 
-// In red, which the air above dims least.
-test::PlainAir plain_air(const test::PlainLayer& fog) {
-    test::PlainLayer air;
-    air.scattering = 5.802e-3;
-    air.scale_height = 8;
-    air.rayleigh = true;
-    return {kRadius, kRadius + kThickness, {air, fog}};
-}
-
 struct Errors {
     double rms = 0;
     double largest = 0;
@@ -58,7 +49,12 @@ Errors errors_of(const config::Recipe& recipe, const test::PlainLayer& fog) {
     const Baked baked = test::SharedBakes().baked(recipe, bake);
     const Image2<float>& image = baked.image();
     const SkyViewCamera camera({kRadius, kThickness}, asset.altitude.kilometers());
-    const test::PlainAir air = plain_air(fog);
+    // In red, which the air above dims least.
+    test::PlainLayer rayleigh;
+    rayleigh.scattering = 5.802e-3;
+    rayleigh.scale_height = 8;
+    rayleigh.rayleigh = true;
+    const test::PlainAir air = {kRadius, kRadius + kThickness, {rayleigh, fog}};
     Errors errors;
     int count = 0;
     for (std::size_t sun = 0; sun < asset.sun_elevations.size(); ++sun) {
@@ -90,25 +86,21 @@ Errors errors_of(const config::Recipe& recipe, const test::PlainLayer& fog) {
     return errors;
 }
 
-test::PlainLayer slab(double scattering, double top, double g) {
-    test::PlainLayer fog;
-    fog.scattering = scattering;
-    fog.top = top;
-    fog.g = g;
-    return fog;
-}
-
 // From above, where the sun's rays reach some centimetres into the fog.
 TEST(SingleScattering, LightsTheSkinOfFogWithAHardTop) {
     const std::string bakes =
         "[bake.s]\nasset = 'sky_view'\norders = 'single'\naltitude = '3 km'\nsize = [5, 6]\n"
         "pixel_type = 'float'\nsun_elevations = ['{} deg']\n";
+    test::PlainLayer slab;
+    slab.scattering = 30;
+    slab.top = 0.1;
+    slab.g = 0.8;
     for (const double elevation : {0.0, 1.0, 3.0, 5.0, 10.0}) {
         const Errors errors = errors_of(
             test::recipe_of(recipe("profile = 'slab'\nbottom_altitude = '0 km'\n"
                                    "top_altitude = '0.1 km'\n",
                                    "0.03 /m", 0.8, fmt::format(fmt::runtime(bakes), elevation))),
-            slab(30, 0.1, 0.8));
+            slab);
         EXPECT_LT(errors.rms, 0.01) << "sun " << elevation;
         EXPECT_LT(errors.largest, 0.05) << "sun " << elevation;
     }
@@ -122,10 +114,6 @@ TEST(SingleScattering, SmoothAirHasNoSkins) {
     }
 }
 
-std::string haze(double g, const std::string& bakes) {
-    return recipe("profile = 'exponential'\nscale_height = '1.2 km'\n", "0.1 /km", g, bakes);
-}
-
 // Nothing counts as not scattered where light is scattered once.
 TEST(SingleScattering, KnowsNoForwardPeaks) {
     for (const double g : {0.9, 0.99}) {
@@ -133,13 +121,12 @@ TEST(SingleScattering, KnowsNoForwardPeaks) {
         layer.scattering = 0.1;
         layer.scale_height = 1.2;
         layer.g = g;
-        const Errors errors =
-            errors_of(test::recipe_of(haze(
-                          g,
-                          "[bake.s]\nasset = 'sky_view'\norders = 'single'\naltitude = '0.5 km'\n"
-                          "size = [5, 6]\n"
-                          "pixel_type = 'float'\nsun_elevations = ['60 deg', '0 deg']\n")),
-                      layer);
+        const Errors errors = errors_of(
+            test::recipe_of(recipe(
+                "profile = 'exponential'\nscale_height = '1.2 km'\n", "0.1 /km", g,
+                "[bake.s]\nasset = 'sky_view'\norders = 'single'\naltitude = '0.5 km'\n"
+                "size = [5, 6]\npixel_type = 'float'\nsun_elevations = ['60 deg', '0 deg']\n")),
+            layer);
         EXPECT_LT(errors.rms, 2e-3) << g;
         EXPECT_LT(errors.largest, 1e-2) << g;
     }
