@@ -290,21 +290,21 @@ double height_profile(const config::HeightProfile& profile, double h) {
 }
 
 MapLookup::MapLookup(MapImage image, MapWrap wrap, MapFilter filter)
-    : image_(std::move(image)), wrap_(wrap), filter_(filter) {}
+    : image_(std::make_shared<const MapImage>(std::move(image))), wrap_(wrap), filter_(filter) {}
 
 double MapLookup::pixel(int x, int y) const {
-    const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(image_.width);
-    return double{image_.values[row + static_cast<std::size_t>(x)]};
+    const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(image_->width);
+    return double{image_->values[row + static_cast<std::size_t>(x)]};
 }
 
 double MapLookup::at(double u, double v) const {
     const double x = wrapped(u, wrap_);
     const double y = wrapped(v, wrap_);
     if (filter_ == MapFilter::nearest) {
-        return pixel(nearest_pixel(x, image_.width), nearest_pixel(y, image_.height));
+        return pixel(nearest_pixel(x, image_->width), nearest_pixel(y, image_->height));
     }
-    const Neighbours columns = neighbours(x, image_.width, wrap_);
-    const Neighbours rows = neighbours(y, image_.height, wrap_);
+    const Neighbours columns = neighbours(x, image_->width, wrap_);
+    const Neighbours rows = neighbours(y, image_->height, wrap_);
     const double upper = mixed(pixel(columns.first, rows.first), pixel(columns.second, rows.first),
                                columns.fraction);
     const double lower = mixed(pixel(columns.first, rows.second),

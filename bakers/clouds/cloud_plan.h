@@ -65,7 +65,7 @@ class MapLookup {
   private:
     double pixel(int x, int y) const;
 
-    MapImage image_;
+    std::shared_ptr<const MapImage> image_;  // copies share it
     config::MapWrap wrap_;
     config::MapFilter filter_;
 };

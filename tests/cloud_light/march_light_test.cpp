@@ -257,7 +257,6 @@ TEST(MarchLight, LoneTilesHaveNoNeighbours) {
             << i;
     }
     EXPECT_TRUE(within.under({0.1, 0}, options));
-    EXPECT_FALSE(within.under({0, 0}, options));
 }
 
 // Sunlight that a layer of the optical depth 8 above has scattered before is what diffuse light would be.

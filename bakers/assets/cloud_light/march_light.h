@@ -34,8 +34,8 @@ class MarchLight {
     // `most_cells`. A tile that does not repeat has an empty margin of half of its edge on each side.
     MarchLight(const CloudMedium& medium, double most_cells, const BakeOptions& options);
 
-    // Sunlight comes from below where the sun is below the horizon of a layer that is above it. Returns nothing for a
-    // sun at the horizon of a tile that stands alone, and after an interruption.
+    // Sunlight comes from below where the sun is below the horizon of a layer that is above it. Returns nothing
+    // after an interruption.
     std::optional<LightInCloud> under(const SunDirection& sun, const BakeOptions& options) const;
 
   private:

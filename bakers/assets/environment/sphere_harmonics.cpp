@@ -154,22 +154,23 @@ std::vector<std::array<double, kHarmonics>> harmonics_of(const Image2<float>& ma
 }
 
 std::vector<double> level_irradiance(const Image2<float>& map, const EnvironmentLayout& layout) {
-    // The parts of a texel across and down: the horizon may pass through it.
-    constexpr int kParts = 4;
+    // The horizon passes through texels. Those of small maps are parted, across and down.
+    constexpr int kFineRows = 128;
     const auto [columns, rows] = layout.part_size();
+    const int parts = std::max(kFineRows / rows, 1);
     const EnvironmentLayout finer(layout.mapping(),
-                                  {kParts * columns, kParts * rows * layout.parts()});
+                                  {parts * columns, parts * rows * layout.parts()});
     std::vector<double> sums(static_cast<std::size_t>(map.channels));
     for (int part = 0; part < layout.parts(); ++part) {
-        for (int y = 0; y < kParts * rows; ++y) {
-            for (int x = 0; x < kParts * columns; ++x) {
+        for (int y = 0; y < parts * rows; ++y) {
+            for (int x = 0; x < parts * columns; ++x) {
                 const double height = finer
-                                          .direction(part, (x + 0.5) / (kParts * columns),
-                                                     (y + 0.5) / (kParts * rows))
+                                          .direction(part, (x + 0.5) / (parts * columns),
+                                                     (y + 0.5) / (parts * rows))
                                           .y;
                 if (height <= 0) continue;
                 const double weight = height * finer.solid_angle(part, x, y);
-                const float* light = map.texel(x / kParts, part * rows + y / kParts);
+                const float* light = map.texel(x / parts, part * rows + y / parts);
                 for (double& sum : sums) sum += weight * double{*light++};
             }
         }
