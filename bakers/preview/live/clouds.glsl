@@ -140,6 +140,7 @@ float samples_to(int layer, float t, float growth) { return cloud_samples_to(t /
 float sample_at(int layer, float u, float growth) { return u * (1.0 + growth * u) * view_step[layer]; }
 Samples samples_in_layer(int layer, vec3 camera, vec3 ray, float growth) {
     vec2 span = span_in_layer(layer, camera - vec3(0.0, 0.0, BASE[layer]), ray);
+    if (ray.z < 0.0) span.y = min(span.y, camera.z / -ray.z);  // the ground
     float first = max(floor(samples_to(layer, span.x, growth)) - 1.0, 0.0);
     float last = ceil(samples_to(layer, span.y, growth)) + 1.0;
     return Samples(first, span.x > span.y ? first : last, -2.0, true, vec4(0.0));

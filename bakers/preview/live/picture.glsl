@@ -27,6 +27,15 @@ Light shaded_ground(float direct) {
     return kept / max(by_sun + by_sky, Light(1e-30));
 }
 
+// Whether a ray from above all layers passes over the limb of the highest one's top (limb_slope of
+// bakers/render/scene_view.cpp), beyond which flat layers go on.
+bool passes_limb(vec3 ray) {
+    float top = 0.0;
+    for (int layer = 0; layer < CLOUDS; ++layer) top = max(top, BASE[layer] + TILE[layer].z);
+    float above = 1e-3 * (camera.z - top), r = R + 1e-3 * camera.z;
+    return repeats && above > 0.0 && ray.z > -sqrt(above * (2.0 * r - above)) / r;
+}
+
 // The light of a layer, with the air before it, which has a share of the light of all air along the ray
 // (Hillaire 2016).
 Light cloud_light(int layer, Cloud cloud, float h, vec3 ray, Air air) {
@@ -58,6 +67,10 @@ void main() {
     Cloud clouds[CLOUDS];
     vec2 noise = vec2(noise_of(pixel, 0), noise_of(pixel, 1));
     through = march_clouds(camera, ray, noise, 2.0 * tan_half_fov / size.x, clouds);
+    if (passes_limb(ray)) {
+        through = 1.0;
+        for (int layer = 0; layer < CLOUDS; ++layer) clouds[layer] = Cloud(vec4(0.0), 0.0, 0.0);
+    }
     if (has_shadow && air.grounded && through > OPAQUE) {
         ground = shaded_ground(sunlight_on_ground(camera, ray, noise.y, mean_sunlight));
     }
