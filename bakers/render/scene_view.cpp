@@ -229,9 +229,13 @@ CloudView SceneRenderer::render(const SceneFrame& frame, int threads, Progress* 
                 ground *= ground_share(double{seen[marched.results.channels - 1]});
             }
             const Bearing bearing = bearing_of(ray);
-            const Spectrum light = ray.z > limb
-                                       ? air.along(bearing.elevation, bearing.azimuth, 0).sky
-                                       : radiance(air, bearing, ground, seen);
+            Spectrum light = radiance(air, bearing, ground, seen);
+            // The share of the pixel over the limb shows the sky alone.
+            const double over = std::clamp(0.5 + (ray.z - limb) / rays.pixel(), 0.0, 1.0);
+            if (over > 0) {
+                light = (1 - over) * light +
+                        over * air.along(bearing.elevation, bearing.azimuth, 0).sky;
+            }
             for (int c = 0; c < channels; ++c) {
                 view.radiance.texel(x, y)[c] =
                     static_cast<float>(light[static_cast<std::size_t>(c)]);
