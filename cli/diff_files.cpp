@@ -84,6 +84,15 @@ void compare_levels(const ListedFile& first, const ListedFile& second, const std
     }
 }
 
+// Compares files by their values if the manifests beside both list them, and says whether they do.
+bool compare_if_listed(const fs::path& first, const fs::path& second, const std::string& name,
+                       Comparison& comparison) {
+    const auto one = listed_file(first);
+    const auto other = one ? listed_file(second) : std::nullopt;
+    if (other) compare_levels(*one, *other, name, comparison);
+    return other.has_value();
+}
+
 // Compares files by their bytes. If these differ, those with grids, Radiance pictures and files that their
 // manifests list are compared by their values.
 void compare_bytes(const fs::path& first, const fs::path& second, const std::string& name,
@@ -104,9 +113,7 @@ void compare_bytes(const fs::path& first, const fs::path& second, const std::str
     if (has_grids(first) && has_grids(second)) {
         return add(name, compare_volumes(first, second), comparison);
     }
-    const auto one = listed_file(first);
-    const auto other = one ? listed_file(second) : std::nullopt;
-    if (other) return compare_levels(*one, *other, name, comparison);
+    if (compare_if_listed(first, second, name, comparison)) return;
     add_layout(name,
                a.value->bytes != b.value->bytes
                    ? fmt::format("{} bytes against {}", a.value->bytes, b.value->bytes)
@@ -131,9 +138,7 @@ void compare_files(const fs::path& first, const fs::path& second, const std::str
         return compare_bytes(first, second, name, comparison);
     }
     const bool is_one_image = is_image(first) != is_image(second);
-    const auto one = is_one_image ? listed_file(first) : std::nullopt;
-    const auto other = one ? listed_file(second) : std::nullopt;
-    if (other) return compare_levels(*one, *other, name, comparison);
+    if (is_one_image && compare_if_listed(first, second, name, comparison)) return;
     compare_images(first, second, name, comparison);
 }
 

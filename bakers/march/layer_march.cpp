@@ -20,8 +20,9 @@ float gradient_noise(int x, int y, int layer) {
 RaySpan span_in_layer(const CloudMedium& medium, const glm::dvec3& position_m,
                       const glm::dvec3& direction, double reach_m) {
     RaySpan span{0, reach_m};
-    if (direction.z < 0 && position_m.z >= 0)
-        span.last_m = std::min(reach_m, -position_m.z / direction.z);  // the ground
+    if (direction.z < 0 && position_m.z >= 0) {  // the ground
+        span.last_m = std::min(reach_m, -position_m.z / direction.z);
+    }
     for (std::size_t a = medium.repeats ? 2 : 0; a < 3; ++a) {
         const double low = (a == 2 ? medium.base_m : 0) - position_m[a];
         const double high = low + medium.extent_m[a];

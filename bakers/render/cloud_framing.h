@@ -32,7 +32,7 @@ struct CameraRequest {
 CloudViewSettings framed_view(const CloudMedium& medium, const SunDirection& sun, int width,
                               int height, const CameraRequest& request = {});
 
-// Chooses the layers and the camera of a picture of several media, which repeat. Each layer has steps
+// Chooses the layers and the camera of a picture of several media, which repeat, or of one. Each layer has steps
 // of its own voxels. The camera is that of the lowest medium.
 struct FramedScene {
     std::vector<SceneLayer> layers;  // of the media, in their order

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include "bakers/light/sky_ray.h"
 #include "bakers/math/parallel.h"
@@ -119,15 +120,16 @@ CloudAir::Range range_of(const SceneFrame& frame, double reach_m) {
 }
 
 // Returns the slope of rays from above all layers that touch the highest one's top on a round planet. Flat layers
-// go on beyond it. Returns 1, which no ray exceeds, from below, and for a tile that stands alone.
+// go on beyond it. There is none, and the slope is infinite, from below and for a tile that stands alone.
 double limb_slope(const Shell& shell, const std::vector<SceneLayer>& layers,
                   const CloudCamera& camera) {
+    constexpr double kNone = std::numeric_limits<double>::infinity();
     double top_m = 0;
     for (const SceneLayer& layer : layers) {
-        if (!layer.medium->repeats) return 1;
+        if (!layer.medium->repeats) return kNone;
         top_m = std::max(top_m, layer.medium->base_m + layer.medium->extent_m[2]);
     }
-    if (camera.position_m.z <= top_m) return 1;
+    if (camera.position_m.z <= top_m) return kNone;
     const double cosine = (shell.ground_radius_km + top_m / 1000) /
                           (shell.ground_radius_km + camera.position_m.z / 1000);
     return -std::sqrt(1 - cosine * cosine);

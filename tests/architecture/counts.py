@@ -22,8 +22,8 @@ SECTIONS = ("noise", "cloud", "layer", "volume", "files")
 MOST_SECTION_UNITS = 170
 # A change that adds a feature gives as many lines back. Lower these where lines were saved. Published tables
 # (*.inc) are data, as presets are, and do not count.
-MOST_PRODUCT_LINES = 130_966
-MOST_TEST_LINES = 72_815
+MOST_PRODUCT_LINES = 130_961
+MOST_TEST_LINES = 72_826
 MOST_HELPER_LINES = 17_973
 
 

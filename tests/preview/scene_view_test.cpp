@@ -185,6 +185,17 @@ TEST(SceneView, NoCloudStandsAboveItsHorizon) {
     EXPECT_GT(cloudy, 16);
 }
 
+// From below there is no limb: a layer without gaps hides the zenith as it hides all else.
+TEST(SceneView, AFullLayerHidesTheZenith) {
+    const CloudMedium full = medium_of({900, 900, 400}, 700, {3, 3, 3}, std::vector<float>(27, 1));
+    SceneFrame frame = frame_from({100, 50, 100}, 90, 9, 9);
+    frame.camera.horizontal_field_degrees = 16;
+    const Image2<float> made = picture_of({{&full, 20, 20, 8000}}, {20, 80}, frame);
+    for (int x = 0; x < 9; ++x) {
+        EXPECT_NEAR(made.texel(x, 4)[0] / made.texel(4, 4)[0], 1, 0.15) << x;
+    }
+}
+
 // Clouds below the ground are hidden by it, and clouds that reach below it end there.
 TEST(SceneView, TheGroundHidesWhatIsBelow) {
     const std::vector<float> ones(27, 1);

@@ -19,15 +19,20 @@ namespace skybake {
 
 namespace {
 
-// Calls visit(direction, solid angle, texel) for each texel of a map, row by row.
+// Calls visit(direction, solid angle, texel) for each texel of a map, row by row, or for parts of texels, of which
+// so many lie across and down.
 template <class Visit>
-void for_each_texel(const Image2<float>& map, const EnvironmentLayout& layout, const Visit& visit) {
+void for_each_texel(const Image2<float>& map, const EnvironmentLayout& layout, int parts,
+                    const Visit& visit) {
     const auto [columns, rows] = layout.part_size();
+    const EnvironmentLayout finer(layout.mapping(),
+                                  {parts * columns, parts * rows * layout.parts()});
     for (int part = 0; part < layout.parts(); ++part) {
-        for (int y = 0; y < rows; ++y) {
-            for (int x = 0; x < columns; ++x) {
-                visit(layout.direction(part, (x + 0.5) / columns, (y + 0.5) / rows),
-                      layout.solid_angle(part, x, y), map.texel(x, part * rows + y));
+        for (int y = 0; y < parts * rows; ++y) {
+            for (int x = 0; x < parts * columns; ++x) {
+                visit(finer.direction(part, (x + 0.5) / (parts * columns),
+                                      (y + 0.5) / (parts * rows)),
+                      finer.solid_angle(part, x, y), map.texel(x / parts, part * rows + y / parts));
             }
         }
     }
@@ -140,7 +145,7 @@ std::array<double, kHarmonics> harmonics_at(const glm::dvec3& direction) {
 std::vector<std::array<double, kHarmonics>> harmonics_of(const Image2<float>& map,
                                                          const EnvironmentLayout& layout) {
     std::vector<std::array<double, kHarmonics>> sums(static_cast<std::size_t>(map.channels));
-    for_each_texel(map, layout,
+    for_each_texel(map, layout, 1,
                    [&](const glm::dvec3& direction, double solid_angle, const float* light) {
                        const std::array<double, kHarmonics> values = harmonics_at(direction);
                        for (std::array<double, kHarmonics>& sum : sums) {
@@ -154,27 +159,15 @@ std::vector<std::array<double, kHarmonics>> harmonics_of(const Image2<float>& ma
 }
 
 std::vector<double> level_irradiance(const Image2<float>& map, const EnvironmentLayout& layout) {
-    // The horizon passes through texels. Those of small maps are parted, across and down.
+    // The horizon passes through texels. Those of small maps are parted.
     constexpr int kFineRows = 128;
-    const auto [columns, rows] = layout.part_size();
-    const int parts = std::max(kFineRows / rows, 1);
-    const EnvironmentLayout finer(layout.mapping(),
-                                  {parts * columns, parts * rows * layout.parts()});
+    const int parts = std::max(kFineRows / layout.part_size().rows, 1);
     std::vector<double> sums(static_cast<std::size_t>(map.channels));
-    for (int part = 0; part < layout.parts(); ++part) {
-        for (int y = 0; y < parts * rows; ++y) {
-            for (int x = 0; x < parts * columns; ++x) {
-                const double height = finer
-                                          .direction(part, (x + 0.5) / (parts * columns),
-                                                     (y + 0.5) / (parts * rows))
-                                          .y;
-                if (height <= 0) continue;
-                const double weight = height * finer.solid_angle(part, x, y);
-                const float* light = map.texel(x / parts, part * rows + y / parts);
-                for (double& sum : sums) sum += weight * double{*light++};
-            }
-        }
-    }
+    for_each_texel(map, layout, parts,
+                   [&](const glm::dvec3& direction, double solid_angle, const float* light) {
+                       if (direction.y <= 0) return;
+                       for (double& sum : sums) sum += solid_angle * direction.y * double{*light++};
+                   });
     return sums;
 }
 

@@ -89,15 +89,9 @@ std::vector<LiveCloud> live_clouds(const PreviewAssets& assets, const PreviewOpt
     return clouds;
 }
 
-// Returns the steps and the reach of each cloud and the camera, as the pictures have them: those of one
-// sky for several clouds, those of its own picture for one.
+// Returns the steps and the reach of each cloud and the camera, as the pictures have them.
 FramedScene framed_clouds(const std::vector<LiveCloud>& clouds, int width, int height) {
     const LiveCloud& first = clouds.front();
-    if (clouds.size() == 1) {
-        const CloudMedium& medium = first.medium;
-        const CloudViewSettings view = framed_view(medium, first.sun, width, height, first.camera);
-        return {{{&medium, view.step_m, view.light_step_m, view.reach_m}}, view.camera};
-    }
     std::vector<const CloudMedium*> media;
     for (const LiveCloud& cloud : clouds) media.push_back(&cloud.medium);
     return framed_scene(media, first.sun, width, height, first.camera);
